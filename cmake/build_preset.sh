@@ -3,7 +3,7 @@
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
 # In the environment: EDGEWISE_LAYOUTS, these layouts only ("distinct": those that differ widely; "" all);
-# EDGEWISE_FULL_TESTS=ON, with the tests that only tests/run full has; EDGEWISE_PEERS=ON, with adapters of other libraries; EDGEWISE_PEER_FOLDERS, the folders of those without a package.
+# EDGEWISE_PEERS=ON, with adapters of other libraries; EDGEWISE_PEER_FOLDERS, the folders of those without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu
@@ -23,19 +23,17 @@ set_peers=
 [ -z "${EDGEWISE_PEERS+set}" ] || set_peers=-DEDGEWISE_PEERS=$EDGEWISE_PEERS
 set_folders=
 [ -z "${EDGEWISE_PEER_FOLDERS+set}" ] || set_folders=-DEDGEWISE_PEER_FOLDERS=$EDGEWISE_PEER_FOLDERS
-set_full=
-[ -z "${EDGEWISE_FULL_TESTS+set}" ] || set_full=-DEDGEWISE_FULL_TESTS=$EDGEWISE_FULL_TESTS
-if ! cmake -S "$root" --preset "$preset" ${set_full:+"$set_full"} ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
+if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
     ${set_folders:+"$set_folders"} >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"
     exit 2
 fi
-# What is missing but not essential: the configuring step says so in one line each.
+# The configuring step has printed one line for each missing tool that is not essential.
 grep -E '^-- (charts|edgewise|house):' "$log" || true
 
-# Of ninja's "[17/242] Building ...": done, all, and at this pace how long it still takes.
-tell_progress() { # LOG STARTED
+# Reads "[17/242] Building ..." of ninja, and prints how many steps are done and how long the others will take.
+print_progress() { # LOG STARTED
     sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' "$1" | tail -n 1 | {
         read -r done all && [ "$done" -gt 0 ] || exit 0
         seconds=$(($(date +%s) - $2))
@@ -59,7 +57,7 @@ else
             sleep 1
             waited=$((waited + 1))
         done
-        [ $waited -lt 60 ] || tell_progress "$log" "$started"
+        [ $waited -lt 60 ] || print_progress "$log" "$started"
     done
     wait $builder || code=$?
     [ $code -eq 0 ] || grep -v '^\[[0-9]*/[0-9]*\] [BLG]' "$log"

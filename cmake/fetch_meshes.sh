@@ -3,8 +3,8 @@
 #
 # Real bodies for the sweep: fetch_meshes.sh DIRECTORY
 # Four parts of robots from Debian's dart-doc (BSD-2-Clause), which is downloaded with apt-get and unpacked, not
-# installed. Nothing is fetched when they are there already. A failure is one line and exit 1: the sweep then shows
-# their cells as unavailable.
+# installed. It fetches nothing if they are there already. A failure prints one line and ends with exit code 1; the sweep then
+# shows their cells as unavailable.
 set -eu
 
 directory=${1:?usage: fetch_meshes.sh DIRECTORY}
@@ -31,7 +31,7 @@ LIST
 
 download() { (cd "$scratch" && apt-get download -qq "$package") >"$scratch/log" 2>&1; }
 
-# A machine without package lists cannot download. Root can get the lists; other users have seen a message by now.
+# A machine without package lists cannot download. Root can fetch the lists; other users have already seen a message.
 download_with_lists() {
     download && return 0
     [ "$(id -u)" -eq 0 ] && apt-get update -qq >"$scratch/log" 2>&1 && download
@@ -49,7 +49,7 @@ download_with_lists || give_up "apt-get could not download $package: $(tail -n 1
 dpkg-deb -x "$scratch/$package"_*.deb "$scratch/unpacked" || give_up "$package cannot be unpacked"
 mkdir -p "$directory" || give_up "cannot create $directory"
 while read -r name source; do
-    # Copied under another name first, so that a kill leaves no half a mesh.
+    # Copied under another name first, so that an interrupted copy leaves no partial mesh.
     cp "$scratch/unpacked/usr/share/doc/dart/data/$source" "$directory/$name.part" ||
         give_up "$package holds no $source"
     mv "$directory/$name.part" "$directory/$name"

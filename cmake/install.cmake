@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# find_package(edgewise) and the target edgewise::edgewise; with COMPONENTS measure, edgewise::measure. And edgewise.pc for
-# those without CMake. The program itself is not installed unless --component tool says so: it is for this machine.
+# Installs find_package(edgewise) with the target edgewise::edgewise, with COMPONENTS measure edgewise::measure, and edgewise.pc
+# for users without CMake. The program is compiled for this machine, so only --component tool installs it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)

@@ -6,7 +6,7 @@ set(EDGEWISE_JEMALLOC_OBJECT "")
 find_path(JEMALLOC_INCLUDE_DIR jemalloc/jemalloc.h)
 find_library(JEMALLOC_ARCHIVE libjemalloc_pic.a)
 if(EDGEWISE_SANITIZE)
-    # Sanitizers replace malloc themselves.
+    # Sanitizers have their own malloc.
 elseif(JEMALLOC_INCLUDE_DIR AND JEMALLOC_ARCHIVE AND CMAKE_OBJCOPY AND CMAKE_LINKER)
     set(EDGEWISE_JEMALLOC_OBJECT ${PROJECT_BINARY_DIR}/jemalloc_apart.o)
     set(visible mallocx sdallocx nallocx mallctl)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Asked for by number, Eigen 5 says that it is no 3.4.
+# No version in the call: Eigen 5 does not accept a request for 3.4.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
-    message(FATAL_ERROR "edgewise: Eigen ${Eigen3_VERSION} is too old: 3.4 or newer is wanted (Debian: libeigen3-dev)")
+    message(FATAL_ERROR "edgewise: Eigen ${Eigen3_VERSION} is too old: 3.4 or newer is needed (Debian: libeigen3-dev)")
 endif()
 find_package(Qhull REQUIRED NO_MODULE)
 
@@ -11,13 +11,13 @@ add_library(edgewise_library STATIC ${sources})
 add_library(edgewise::edgewise ALIAS edgewise_library)
 set_target_properties(edgewise_library PROPERTIES EXPORT_NAME edgewise OUTPUT_NAME edgewise POSITION_INDEPENDENT_CODE ON)
 target_compile_features(edgewise_library PUBLIC cxx_std_20)
-# Contraction would let the compiler fuse one of two products that V-Clip relies on being the same number.
+# V-Clip needs two equal products to be the same number; with contraction the compiler could fuse only one of them.
 target_compile_options(edgewise_library PUBLIC $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
 target_include_directories(edgewise_library PUBLIC
     $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
 target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r $<BUILD_INTERFACE:edgewise_flags>)
-# Mutants (tests/mutation) replace the one; the other has registers wider than the machine's, which only ever are arguments
-# of what is inlined, and takes roots of all lanes at once where none of them has to set errno.
+# Mutants (tests/mutation) replace the first file. The second has registers wider than the machine's, which are only arguments
+# of inlined functions; without errno it takes the roots of all lanes at once.
 edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp src/edgewise/algorithms/lanes/lane_width.cpp)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/lanes/lane_width.cpp PROPERTIES
     COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)

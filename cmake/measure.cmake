@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# edgewise::measure, the part of measuring that knows no collision: traces of a user's own structure, the cache model
+# edgewise::measure, the part of measuring without collision detection: traces of a user's own structure, the cache model
 # and its machines, reuse distances, bytes by member, and the lock. Debian names: libfmt-dev nlohmann-json3-dev.
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -30,7 +30,7 @@ target_compile_options(edgewise_measure PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU,
 target_include_directories(edgewise_measure PUBLIC $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
 target_link_libraries(edgewise_measure
     PRIVATE fmt::fmt $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:edgewise_flags>)
-# What mutants (tests/mutation) replace is linked by itself.
+# Sources that mutants (tests/mutation) replace stay separate.
 edgewise_unite(edgewise_measure src/edgewise/measure/cache/cache_model.cpp src/edgewise/measure/cache/scene_caches.cpp
     src/edgewise/measure/record/comparison.cpp src/edgewise/measure/touch/touch_trace.cpp src/edgewise/measure/traces/trace_file.cpp)
 edgewise_precompile(edgewise_measure <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map> <optional> <span>

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
 #
-# What makes a build from nothing take fewer minutes, and the next one few.
+# Shortens builds: ccache, precompiled headers and unity builds.
 
-# Where ccache is installed, what was compiled once is not compiled again, in another clone neither. It knows a
-# compilation by its text, with names relative to the clone, by the compiler, and by what -march=native means here:
-# another processor's objects are not taken. A precompiled header may come out of the cache too, so none holds a header
-# of ours: as one of another clone it would not be recognised where it is included, and be there twice.
+# If ccache is installed, it keeps compiled objects, also for other clones. Its key is the preprocessed text with names
+# relative to the clone, the compiler, and the options that -march=native stands for: objects of another processor are
+# not used. Precompiled headers come from the cache too, so they contain no header of Edgewise: the compiler would not
+# recognise a header of another clone, and would include it twice.
 option(EDGEWISE_COMPILER_CACHE "Compile through ccache, where it is installed" ON)
 find_program(EDGEWISE_CCACHE ccache)
 mark_as_advanced(EDGEWISE_CCACHE)
 if(PROJECT_IS_TOP_LEVEL AND EDGEWISE_COMPILER_CACHE AND EDGEWISE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     set(native ${PROJECT_BINARY_DIR}/native_options.txt)
-    # In a folder that all clones have: clang says where it is asked.
+    # In a folder that all clones have, because clang prints the working folder.
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -x c++ -E -### /dev/null WORKING_DIRECTORY /
         OUTPUT_QUIET ERROR_VARIABLE options)
     file(CONFIGURE OUTPUT ${native} CONTENT "${options}" @ONLY)
-    # An existing precompiled header would be read where the new one is made, and no other clone could use the result.
-    # It is also newer than the files that include it, so that its content must decide.
+    # The compiler would read an existing precompiled header while it makes the new one, and no other clone could use the
+    # result. It is also newer than the files that include it, so ccache must compare its content.
     set(launcher ${PROJECT_BINARY_DIR}/compile_cached.sh)
     file(CONFIGURE OUTPUT ${launcher} CONTENT [[
 before=
@@ -31,15 +31,15 @@ exec '@EDGEWISE_CCACHE@' "$@"
     set(CMAKE_CXX_COMPILER_LAUNCHER sh ${launcher})
 endif()
 
-# edgewise_precompile(TARGET HEADER...): these headers of other projects, parsed once for all of the target's sources.
+# edgewise_precompile(TARGET HEADER...): parses these headers of other projects once for all of the target's sources.
 function(edgewise_precompile TARGET)
     target_precompile_headers(${TARGET} PRIVATE ${ARGN})
     target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
-# edgewise_unite(TARGET FILE...): compiles some of the sources at a time as one, which parses and instantiates once
-# what they share; not these files, because their local names also occur in other files.
-# Off where each file is needed by itself: with EDGEWISE_UNITY=OFF compile_commands.json has every file.
+# edgewise_unite(TARGET FILE...): compiles groups of sources as one, which parses and instantiates their common
+# headers once. These files stay separate, because their local names also occur in other files.
+# With EDGEWISE_UNITY=OFF each file is compiled by itself, and compile_commands.json has every file.
 function(edgewise_unite TARGET)
     set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
     if(ARGN)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The manifests: one line a layout (layouts/CMakeLists.txt), one line a probe (probes/CMakeLists.txt). From each line
-# come generated units, one a table type (a layout's compile as one), so that builds stay parallel and nothing else
+# The manifests have one line per layout (layouts/CMakeLists.txt) and one per probe (probes/CMakeLists.txt). CMake generates a
+# unit for each table type (those of one layout compile as one), so that builds are parallel and no other file
 # names a layout.
 
 # edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the type and
@@ -57,12 +57,12 @@ function(edgewise_probe PROBE)
     endif()
 endfunction()
 
-# edgewise_addition(NAME): the folder reports/NAME adds to the report and to the program what NAME_addition() says.
+# edgewise_addition(NAME): the folder reports/NAME adds the parts that NAME_addition() lists to the report and the program.
 function(edgewise_addition NAME)
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_ADDITIONS ${NAME})
 endfunction()
 
-# To be called when both manifests are read: no layout that was asked for is unknown; the list of all probes.
+# Call it after both manifests: refuses unknown layouts in EDGEWISE_LAYOUTS, and writes the list of all probes.
 function(edgewise_write_registry)
     get_property(all GLOBAL PROPERTY EDGEWISE_ALL_LAYOUTS)
     foreach(layout IN LISTS EDGEWISE_LAYOUTS)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The report's prose (*.md), the frame of its page, chart specifications (*.vl.json) and claims become text in the
-# program: it finds them wherever it is installed. Each is known by its name without folders, so two files of one name
-# are an error.
+# program, so that it finds them wherever it is installed. A name without its folders identifies a text, so two files of one
+# name are an error.
 
 # edgewise_write_report_texts(OUTPUT): writes the source file OUTPUT.
 function(edgewise_write_report_texts OUTPUT)

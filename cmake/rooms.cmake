@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Where the rooms are. `#include "edgewise/<room>/<file>"` resolves from src/ as it does from the installed package;
+# The folders of the rooms. `#include "edgewise/<room>/<file>"` resolves from src/ as it does from the installed package;
 # layouts, probes and reports are at the top of the tree and are joined to src/edgewise by links that are kept in it.
 set(EDGEWISE_INCLUDE ${CMAKE_CURRENT_SOURCE_DIR}/src)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The scene files and plans that come with Edgewise become text in the program: it finds them wherever it is installed.
+# The scene files and plans that come with Edgewise become text in the program, so that it finds them wherever it is installed.
 
 function(edgewise_embed PROPERTY NAME FILE)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${FILE})
@@ -17,7 +17,7 @@ function(edgewise_plan NAME FILE)
     edgewise_embed(EDGEWISE_PLANS ${NAME} ${CMAKE_CURRENT_SOURCE_DIR}/${FILE})
 endfunction()
 
-# When all manifests are read.
+# Call it after all manifests.
 function(edgewise_write_scenes)
     get_property(SCENES GLOBAL PROPERTY EDGEWISE_SCENES)
     get_property(PLANS GLOBAL PROPERTY EDGEWISE_PLANS)

@@ -2,18 +2,18 @@
 # SPDX-License-Identifier: MIT
 #
 # Gets what a build needs: set_up.sh sweep|tests
-# On Debian and Ubuntu it asks dpkg what is missing, says it, and installs exactly that with apt-get; when nothing is
-# missing it does nothing. Elsewhere it names the packages and goes on if the tools are there. `sweep` also gets what
-# the report's charts and real bodies come from; without those a sweep still runs. Everything it says goes to stderr.
+# On Debian and Ubuntu it asks dpkg which packages are missing, prints them, and installs only these with apt-get. On other
+# systems it names the packages and goes on if the tools are there. `sweep` also gets the sources of the report's charts
+# and of real bodies; without those a sweep still runs. All messages go to stderr.
 set -eu
 
 needed='g++ zlib1g-dev cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
-# Formatting, linting, fuzzing; second opinions on exact distances and on modelled caches; a browser for the report's
-# page, and what drives it; what deals the parts of a campaign; packages; what keeps objects.
+# Formatting, linting, fuzzing; CGAL and Valgrind to check exact distances and modelled caches; a browser for the report's
+# page, and nodejs to control it; schedulers for the parts of a campaign; packaging; a compiler cache.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind chromium nodejs sqlite3
 parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache'
-# Other libraries to compare with ours, with EDGEWISE_PEERS=ON in the environment; and the tool that counts their work.
+# Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
@@ -49,7 +49,7 @@ as_root() {
     fi
 }
 
-# Says why it failed, and what to do.
+# Prints why it failed, and what to do.
 install() { # PACKAGE...
     by_hand="apt-get update && apt-get install --no-install-recommends $*"
     if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null 2>&1; then
@@ -57,7 +57,7 @@ install() { # PACKAGE...
         return 1
     fi
     say "installing with apt-get: $*"
-    # Lists that are stale or partly unreachable may still do.
+    # Stale or incomplete lists may be sufficient.
     as_root apt-get update -qq >&2 || say "apt-get update failed; going on with the package lists that are there"
     if ! as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >&2; then
         say "apt-get could not install that (is there a network?); as root: $by_hand"
@@ -96,7 +96,7 @@ if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; 
     fi
     if [ "$1" = sweep ]; then
         # shellcheck disable=SC2046  # a list of words
-        install_missing $(names_for_charts) || say "going on; the report will show tables in place of charts"
+        install_missing $(names_for_charts) || say "going on; the report will show tables instead of charts"
     fi
 else
     check_tools

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The tool: everything that measures, as libraries for the program and the tests, then the program. Only table types
-# are compiled for this machine (EDGEWISE_TUNE): nothing else is timed.
+# The tool: libraries for the program and the tests, then the program. Only table types are compiled for this machine
+# (EDGEWISE_TUNE), because only they are timed.
 edgewise_write_registry()
 
 set(build_info ${PROJECT_BINARY_DIR}/registry/build_info.cpp)
@@ -34,7 +34,7 @@ if(NOT EDGEWISE_LIBPFM_LIBRARY)
     edgewise_stand_in(sources measure/counters/libpfm)
 endif()
 
-# What steers measurements takes no time, and sanitizers' own code takes longest to optimise.
+# Code that steers measurements need not be fast, and code of sanitizers takes longest to optimise.
 set(steering)
 if(EDGEWISE_SANITIZE)
     edgewise_sources(steered src/edgewise/store src/edgewise/sweep src/edgewise/studies)
@@ -50,7 +50,7 @@ if(EDGEWISE_SANITIZE)
 endif()
 
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
-# Nothing of the tool is timed here, but a campaign's rate is that of its scans: vectors as wide as this machine has them.
+# The tool's own code is not timed, but scans decide the speed of a campaign: compiled for this machine's widest vectors.
 if(EDGEWISE_TUNE)
     set_source_files_properties(src/edgewise/truth/filter/scanned_body.cpp PROPERTIES
         COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
@@ -67,7 +67,7 @@ if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
-# What mutants (tests/mutation) replace is linked by itself.
+# Sources that mutants (tests/mutation) replace stay separate.
 edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind.cpp src/edgewise/scene/motion.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/stability_tally.cpp
@@ -102,7 +102,7 @@ function(edgewise_tool_for NAME TUNE)
     list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
     add_library(${types} OBJECT ${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp ${units})
-    # A layout's precisions together take a fifth less than each by itself: they share what is parsed and instantiated.
+    # All precisions of a layout in one unit take a fifth less time than separately: they parse and instantiate the same code.
     set_target_properties(${types} PROPERTIES UNITY_BUILD ${EDGEWISE_UNITY} UNITY_BUILD_MODE GROUP)
     foreach(unit IN LISTS units)
         string(REGEX REPLACE "^.*/(.*)_[^_]*$" "\\1" layout ${unit})
@@ -112,15 +112,15 @@ function(edgewise_tool_for NAME TUNE)
     target_compile_options(${types} PRIVATE $<$<BOOL:${TUNE}>:-march=${TUNE}>)
     edgewise_precompile(${types} <Eigen/Core> <nlohmann/json.hpp> <algorithm> <functional> <map> <memory> <optional> <span> <string> <vector>)
     add_library(${NAME} INTERFACE)
-    # Objects, not an archive: the registry and what drives it need each other.
+    # Objects, not an archive: the registry and the code that uses it need each other.
     target_sources(${NAME} INTERFACE $<TARGET_OBJECTS:${types}>)
     target_link_libraries(${NAME} INTERFACE edgewise_core)
 endfunction()
 get_property(table_types GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
 edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}" ${table_types})
 
-# The table types of few layouts, for the tests that every edit runs: after an edit of an algorithm the others need not be
-# compiled before these tests start. The same objects, named as files: a target's name would bring all of them.
+# The table types of few layouts, for the tests that run after every edit: after an edit of an algorithm these tests do not wait
+# for the other table types. The objects are named as files, because a target's name would bring all of them.
 set(few_layouts aos lean points_soa)
 set(few_types ${table_types})
 list(JOIN few_layouts "|" few)
@@ -142,7 +142,7 @@ endif()
 edgewise_sources(cli_sources src/edgewise/cli)
 add_library(edgewise_cli OBJECT ${cli_sources})
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
-# A parser's templates: three times as long to compile when optimised, and nothing there takes time.
+# Templates of the parser of options: they need not be fast, and take three times as long to compile with optimisation.
 target_compile_options(edgewise_cli PRIVATE -O0)
 target_compile_definitions(edgewise_cli PRIVATE ${EDGEWISE_CHECKED})
 edgewise_unite(edgewise_cli)
@@ -157,7 +157,7 @@ if(EDGEWISE_SANITIZE)
 endif()
 
 # The program with a few table types for any processor since 2013: Valgrind can run it. It is also a second build of
-# the query loops; every answer of it must be the same. Built when tests ask for it.
+# the query loops, which must give the same answers. It is built if tests need it.
 set(EDGEWISE_SIM FALSE)
 if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(EDGEWISE_SIM TRUE)
@@ -171,7 +171,7 @@ if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(PEERS_FOLDER sim_peers)
     edgewise_tool_for(edgewise_sim_tool ${EDGEWISE_SIM_TUNE} ${sim_types})
     unset(PEERS_FOLDER)
-    # Which source each instruction comes from (edgewise effort --by-phase); the instructions stay the same.
+    # Line tables for `edgewise effort --by-phase`; they do not change the instructions.
     target_compile_options(edgewise_sim_tool_table_types PRIVATE -g1)
     add_executable(edgewise_sim EXCLUDE_FROM_ALL)
     set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Run at every build: the revision may have changed since the last configure. Writes only what differs.
+# Run at every build: the revision may have changed since the last configure. Writes the file only if it differs.
 execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12
                 OUTPUT_VARIABLE REVISION OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE result)
 if(NOT result EQUAL 0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What cpack makes: edgewise, the program, and libedgewise-dev, the library with its headers, as Debian packages. The
-# program is compiled for EDGEWISE_TUNE; a package for others wants that empty (packaging/make_packages sees to it).
+# cpack makes two Debian packages: edgewise, the program, and libedgewise-dev, the library with its headers. The
+# program is compiled for EDGEWISE_TUNE, which must be empty in a package for others (packaging/make_packages empties it).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME edgewise)
 set(CPACK_PACKAGE_CONTACT "The Edgewise developers <edgewise@localhost.localdomain>")
@@ -28,7 +28,7 @@ set(CPACK_COMPONENT_TOOL_DESCRIPTION "Measures what V-Clip and Enhanced GJK cost
  interchangeable data layouts, with every answer checked against exact
  arithmetic, and writes a report.")
 
-# Beside the files themselves, what Debian wants of every package.
+# Files that Debian requires in every package.
 set(debian ${PROJECT_SOURCE_DIR}/packaging/debian)
 set(made ${PROJECT_BINARY_DIR}/packaging)
 file(MAKE_DIRECTORY ${made})

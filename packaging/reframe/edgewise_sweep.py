@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# A ReFrame test (reframe-hpc.readthedocs.io, 4.x) of an installed Edgewise: a quick sweep on one node of its own;
-# sane when every cell was verified, and its figures of merit are what ReFrame keeps.
+# A ReFrame test (reframe-hpc.readthedocs.io, 4.x) of an installed Edgewise: a quick sweep on a node of its own.
+# The test is sane if every cell was verified. ReFrame keeps the figures of merit.
 import os
 
 import reframe as rfm

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # A recipe for Spack 1 (spack.readthedocs.io): copy it into a repository of your own as
-# packages/edgewise/package.py, and set `git` to where your Edgewise is.
+# packages/edgewise/package.py, and set `git` to the address of your Edgewise.
 from spack_repo.builtin.build_systems.cmake import CMakePackage
 
 from spack.package import *

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # An overlay port of this tree: vcpkg install edgewise --overlay-ports=packaging/vcpkg --no-binarycaching (the cache
-# would know this folder, and not the tree).
+# depends only on this folder, not on the tree).
 get_filename_component(SOURCE_PATH ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 vcpkg_check_linkage(ONLY_STATIC_LIBRARY)
 vcpkg_cmake_configure(SOURCE_PATH ${SOURCE_PATH} OPTIONS -D EDGEWISE_TOOL=OFF)

@@ -3,12 +3,9 @@
 
 #include <unistd.h>
 
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "campaign_paths.hpp"
@@ -36,15 +33,11 @@ std::optional<pid_t> CampaignRun::find_process(const std::string& with) const {
     std::error_code error;
     for (fs::directory_iterator at("/proc", error), end; !error && at != end; at.increment(error)) {
         const std::string name = at->path().filename().string();
-        pid_t id = 0;
-        const auto [stop, bad] = std::from_chars(name.data(), name.data() + name.size(), id);
-        if (bad != std::errc{} || stop != name.data() + name.size()) continue;
-        std::ifstream stream(at->path() / "cmdline");
-        std::ostringstream line;
-        line << stream.rdbuf();
-        if (line.str().starts_with(program) && line.str().find(parts_) != std::string::npos &&
-            line.str().find(with) != std::string::npos)
-            return id;
+        if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+        const std::string line = text_of(at->path() / "cmdline");
+        if (line.starts_with(program) && line.find(parts_) != std::string::npos &&
+            line.find(with) != std::string::npos)
+            return std::stoi(name);
     }
     return std::nullopt;
 }

@@ -23,7 +23,7 @@ class CampaignRun : public testing::Test {
     [[nodiscard]] std::optional<pid_t> find_process(const std::string& with) const;
     /// Waits until a worker has stored a round and ends it by SIGKILL; false when none came.
     bool kill_a_worker(Process& campaign);
-    /// Ends a merge of the parts by SIGKILL at several moments; what is there then is whole.
+    /// Ends a merge of the parts by SIGKILL at several moments; the store must stay whole.
     void kill_merges();
 
     void expect_complete();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A campaign by GNU parallel with killed workers and merges: it ends complete, and equals the single run.
+// A campaign by GNU parallel ends complete and equals the single run although workers and merges are killed.
 #include <csignal>
 #include <filesystem>
 
@@ -14,7 +14,7 @@ using Parallel = CampaignRun;
 TEST_F(Parallel, EndsCompleteThoughAWorkerIsKilled) {
     const Arguments command = script("parallel", {"--shards", "8", "--jobs", "2"});
     Process campaign("/bin/sh", command, folder_);
-    EXPECT_TRUE(kill_a_worker(campaign)) << "no worker was there to be killed";
+    EXPECT_TRUE(kill_a_worker(campaign)) << "there was no worker to kill";
     const Outcome outcome = campaign.wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_complete();
@@ -22,7 +22,7 @@ TEST_F(Parallel, EndsCompleteThoughAWorkerIsKilled) {
     expect_complete();
 }
 
-/// The whole of it is killed; the same command does what is left.
+/// The whole campaign is killed; the same command does the remaining parts.
 TEST_F(Parallel, GoesOnAfterItWasKilledItself) {
     const Arguments command = script("parallel", {"--shards", "3", "--jobs", "1"});
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The engines' scripts by themselves: what they say, and that --dry-run does nothing.
+// The scripts for the schedulers: their messages, and that --dry-run does nothing.
 #include "campaign_run.hpp"
 
 namespace edgewise::cli_test {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # A private Slurm on this machine's loopback: slurm_loop.sh FOLDER up | down. Two nodes, each with a daemon
-# here; no cgroups, no accounting, no munge. Prints what to put into the environment. All of it lives and ends in FOLDER.
+# here; no cgroups, no accounting, no munge. Prints the variable for the environment. All files are in FOLDER.
 set -eu
 folder=${1:?usage: slurm_loop.sh FOLDER up|down}
 host=$(hostname -s)

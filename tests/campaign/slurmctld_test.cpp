@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A campaign as a Slurm job array on a cluster of this machine's loopback: a worker and a node's daemon are
-// killed, and the same command again completes what is missing.
+// killed, and the same command, repeated, completes the campaign.
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -37,7 +37,7 @@ class Slurm : public CampaignRun {
         return std::stoi(text_of(cluster() + "/" + name + ".pid"));
     }
 
-    /// With the cluster's configuration, and no longer than a client may take.
+    /// Runs a client with the cluster's configuration, for at most 60 seconds.
     [[nodiscard]] Outcome client(const Arguments& words) const {
         Arguments all = {configuration_, "timeout", "60"};
         all.insert(all.end(), words.begin(), words.end());
@@ -49,7 +49,7 @@ class Slurm : public CampaignRun {
         all.insert(all.end(), words.begin(), words.end());
         return client(all);
     }
-    /// Until no job is left that can run; false when that takes too long.
+    /// Waits until no job is left that can run; returns false if that takes too long.
     [[nodiscard]] bool wait_for_jobs() const {
         for (int i = 0; i < 600; ++i) {
             if (client({"squeue", "-h"}).out.empty()) return true;
@@ -78,10 +78,10 @@ TEST_F(Slurm, ArrayEndsCompleteThoughAWorkerAndANodeAreKilled) {
         const auto worker = find_process("--shard");
         killed = worker && kill(*worker, SIGKILL) == 0;
     }
-    EXPECT_TRUE(killed) << "no worker was there to be killed";
+    EXPECT_TRUE(killed) << "there was no worker to kill";
     EXPECT_EQ(kill(daemon("n2"), SIGKILL), 0);
     std::this_thread::sleep_for(1s);
-    // The node comes back, as its machine would; what ran there is requeued or lost.
+    // The node comes back, as a machine would; its job is requeued or lost.
     EXPECT_EQ(client({"slurmd", "-N", "n2"}).exit_code, 0);
     EXPECT_TRUE(wait_for_jobs()) << client({"squeue"}).out;
     std::printf("after the kills: %s\n", text_of(parts_ + "/logs/merge.log").c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A campaign by Snakemake: a part's worker is killed, and it ends complete all the same.
+// A campaign by Snakemake ends complete although a worker is killed.
 #include "campaign_paths.hpp"
 #include "campaign_run.hpp"
 
@@ -31,7 +31,7 @@ TEST_F(Snakemake, SaysWhatItWouldDo) {
 
 TEST_F(Snakemake, EndsCompleteThoughAWorkerIsKilled) {
     Process campaign(snakemake, command({}), folder_);
-    EXPECT_TRUE(kill_a_worker(campaign)) << "no worker was there to be killed";
+    EXPECT_TRUE(kill_a_worker(campaign)) << "there was no worker to kill";
     const Outcome outcome = campaign.wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_complete();

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, looks for what must
-# not be in it, builds README's example, the installed one and one over threads with it (no machine tuning, no flags
-# from outside; with clang++ too where there is one) and compares what they print with what README says. Then the
-# layout lock of a structure that Edgewise does not know, with edgewise::measure alone: it must hold as the structure is,
-# and fail and say what differs when a member is added.
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, checks that it has
+# no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning and
+# outside flags; also with clang++ if there is one). It compares their output with README. Then it builds the
+# layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
+# the differences if a member is added.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
-# What is exported must hold on every machine and after the build folder is gone.
+# Exported files must work on every machine and without the build folder.
 function(check_exported_files PREFIX)
     file(GLOB_RECURSE files ${PREFIX}/*.cmake)
     list(LENGTH files count)
@@ -55,18 +55,23 @@ file(RENAME ${SCRATCH}/installed ${prefix})
 check_exported_files(${prefix})
 check_installed_headers(${prefix})
 
-# With one compiler: both programs are built, and print what they should.
-function(check_consumer COMPILER FOLDER)
-    run("configuring" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/project -B ${FOLDER} -G ${GENERATOR}
-        -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
-        -D EXAMPLE=${SCRATCH}/example.cpp)
-    run("building with ${COMPILER}" ${CMAKE_COMMAND} --build ${FOLDER} --verbose)
-    foreach(word -march ${BUILD}/include ${SOURCE}/src)
+# build_project(NAME COMPILER FOLDER WORDS DEFINITION...): builds tests/consumer/NAME with the package. The compiler's
+# commands must not have any of the words.
+function(build_project NAME COMPILER FOLDER WORDS)
+    run("configuring ${NAME}" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/${NAME} -B ${FOLDER} -G ${GENERATOR}
+        -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix} ${ARGN})
+    run("building ${NAME} with ${COMPILER}" ${CMAKE_COMMAND} --build ${FOLDER} --verbose)
+    foreach(word IN LISTS WORDS)
         string(FIND "${output}" "${word}" at)
         if(NOT at EQUAL -1)
-            message(SEND_ERROR "the consumer was compiled with ${word}:\n${output}")
+            message(SEND_ERROR "${NAME} was compiled with ${word}:\n${output}")
         endif()
     endforeach()
+endfunction()
+
+# Builds all programs with one compiler, and compares their output.
+function(check_consumer COMPILER FOLDER)
+    build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp)
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
     expect_output("own_shape.cpp" ${FOLDER}/own_shape
         "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")
@@ -74,18 +79,10 @@ function(check_consumer COMPILER FOLDER)
     expect_output("many_pairs.cpp" ${FOLDER}/many_pairs "500500 500500")
 endfunction()
 
-# The project in ctest: EXPECTED is the exit code; every further word must occur in its output.
+# Runs the project's ctest: EXPECTED is its exit code; every further word must occur in its output.
 function(check_lock COMPILER FOLDER ADD_A_MEMBER EXPECTED)
-    run("configuring the lock" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/layout_lock -B ${FOLDER} -G ${GENERATOR}
-        -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
+    build_project(layout_lock ${COMPILER} ${FOLDER} "${BUILD}/libedgewise;${SOURCE}/src;Eigen;eigen;qhull"
         -D ADD_A_MEMBER=${ADD_A_MEMBER})
-    run("building the lock with ${COMPILER}" ${CMAKE_COMMAND} --build ${FOLDER} --verbose)
-    foreach(word ${BUILD}/libedgewise ${SOURCE}/src Eigen eigen qhull)
-        string(FIND "${output}" "${word}" at)
-        if(NOT at EQUAL -1)
-            message(SEND_ERROR "the lock was built with ${word}:\n${output}")
-        endif()
-    endforeach()
     execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --verbose RESULT_VARIABLE result
         OUTPUT_VARIABLE output ERROR_VARIABLE output)
     if(NOT result EQUAL EXPECTED)

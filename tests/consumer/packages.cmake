@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# packages.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: has cpack make both Debian packages, looks at what they
-# say, unpacks them next to each other, and uses their content: README's example by find_package and by pkg-config, the
-# program. Lintian looks at them where it is installed; the tags that it may give are named here, each with a reason.
+# packages.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: makes both Debian packages by cpack, checks their
+# fields, unpacks them next to each other, and uses their content: README's example by find_package and by pkg-config, and the
+# program. If lintian is installed, it checks the packages; the tags that it may print are listed here, each with a reason.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -9,11 +9,11 @@ include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 
 set(allowed_tags
     bogus-mail-host                      # there is no mailing list
-    bogus-mail-host-in-debian-changelog  # likewise
+    bogus-mail-host-in-debian-changelog  # there is no mailing list
     pkg-config-unavailable-for-cross-compilation  # lib, not lib/TRIPLE: the package is for its own machine
     initial-upload-closes-no-bugs        # not Debian's own package
     extra-license-file                   # the library's LICENSE, for users who copy the headers
-    hardening-no-fortify-functions)      # measured is what users compile
+    hardening-no-fortify-functions)      # the measured code is compiled as users compile it
 
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH}/unpacked)

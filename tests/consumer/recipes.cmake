@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# recipes.cmake with SOURCE and VERSION: the recipes for other package managers, as far as their tools are not needed: the
-# vcpkg port runs with its helpers replaced by what notes that they were called, its manifest is JSON, Conan's recipe is
-# Python, and all name this version. Scripts pass shellcheck where that is installed.
+# recipes.cmake with SOURCE and VERSION: checks the recipes for other package managers without their tools. The
+# vcpkg port runs with helpers that only record their calls; its manifest must be JSON, Conan's recipe must be Python, and
+# all must name this version. Scripts pass shellcheck if it is installed.
 cmake_minimum_required(VERSION 3.25)
 set(packaging ${SOURCE}/packaging)
 
@@ -26,23 +26,17 @@ file(STRINGS ${packaging}/conan/conanfile.py line REGEX "version = \"${VERSION}\
 if(NOT line)
     message(SEND_ERROR "conanfile.py is not of version ${VERSION}")
 endif()
-find_program(PYTHON python3)
-if(PYTHON)
-    execute_process(COMMAND ${PYTHON} -c "import ast, sys; ast.parse(open(sys.argv[1]).read())" ${packaging}/conan/conanfile.py
-                    RESULT_VARIABLE result ERROR_VARIABLE error)
-    if(NOT result EQUAL 0)
-        message(SEND_ERROR "conanfile.py is no Python:\n${error}")
+# check_by(TOOL WHAT ARGUMENT...): the tool must accept the recipes; skipped if it is not installed.
+function(check_by TOOL WHAT)
+    find_program(${TOOL} ${TOOL})
+    if(NOT ${TOOL})
+        message("no ${TOOL} here to check ${WHAT}")
+        return()
     endif()
-else()
-    message("no python3 here: conanfile.py is not parsed")
-endif()
-find_program(SHELLCHECK shellcheck)
-if(SHELLCHECK)
-    execute_process(COMMAND ${SHELLCHECK} ${packaging}/try_packages ${packaging}/make_packages
-                    RESULT_VARIABLE result OUTPUT_VARIABLE error)
+    execute_process(COMMAND ${${TOOL}} ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE error ERROR_VARIABLE error)
     if(NOT result EQUAL 0)
-        message(SEND_ERROR "shellcheck:\n${error}")
+        message(SEND_ERROR "${TOOL} refuses ${WHAT}:\n${error}")
     endif()
-else()
-    message("no shellcheck here: the scripts in packaging are not looked at by it")
-endif()
+endfunction()
+check_by(python3 conanfile.py -c "import ast, sys; ast.parse(open(sys.argv[1]).read())" ${packaging}/conan/conanfile.py)
+check_by(shellcheck "the scripts in packaging" ${packaging}/try_packages ${packaging}/make_packages)

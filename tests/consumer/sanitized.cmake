@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Compiles and runs programs under sanitizers, as a user's CI does: with each of COMPILERS, LEVELS and SANITIZERS,
 # sanitized/queries.cpp with POSES poses on 8 and on 400 vertices, and the EXAMPLES of project/ (example: README's).
-# A report, or table types whose answers differ, fails.
+# A report fails, and so do different answers of table types.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 set(ENV{TSAN_OPTIONS} suppressions=${CMAKE_CURRENT_LIST_DIR}/sanitized/tbb.supp)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the tests of installed packages do again and again: run, compare, and get README's example out of it.
+# Common functions of the tests of installed packages: run, compare, and read README's example.
 
 function(run WHAT)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)

@@ -25,25 +25,34 @@ struct NamedBody {
     return *body;
 }
 
-/// A lopsided hull far off its own origin: no symmetry, faces of every size.
+/// Hull of the points; may be flat.
+[[nodiscard]] inline Polyhedron hull(const std::vector<Vec3d>& points) {
+    const auto body = hull_of_any(points);
+    EXPECT_TRUE(body) << body.error;
+    return *body;
+}
+
+/// A hull without symmetry, far from its own origin, with faces of every size.
 [[nodiscard]] inline Polyhedron random_hull(std::uint64_t seed) {
     scene::Rng rng(seed);
     std::vector<Vec3d> points;
     for (int i = 0; i < 60; ++i)
         points.push_back(rng.in_ball().cwiseProduct(Vec3d(1, 0.6, 0.3)) + Vec3d(2, -1, 0.5));
-    const auto hull = convex_hull(points);
-    EXPECT_TRUE(hull) << hull.error;
-    return *hull;
+    return hull(points);
 }
 
-/// Flat: a front, a back, and no third face at any corner.
+[[nodiscard]] inline std::vector<NamedBody> flat_bodies() {
+    return {{"point", hull({{0.25, -0.5, 0.125}})},
+            {"segment", hull({{-0.5, 0.25, 0}, {0.75, -0.25, 0.5}})},
+            {"triangle", hull({{-0.5, 0, 0.25}, {0.75, 0, -0.25}, {0, 1, 0.5}})},
+            {"square", hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}})}};
+}
+
+/// A flat body with two faces, front and back.
 [[nodiscard]] inline Polyhedron polygon() {
-    const std::vector<Vec3d> corners = {
-        {1, 0, 0.5}, {0, 1, 0.25}, {-1, 0, -0.5}, {-0.5, -1, -0.5}, {0.5, -1, 0}};
-    const auto hull = hull_of_any(corners);
-    EXPECT_TRUE(hull) << hull.error;
-    EXPECT_EQ(hull->face_count(), 2U);
-    return *hull;
+    const Polyhedron body = hull({{1, 0, 0.5}, {0, 1, 0.25}, {-1, 0, -0.5}, {-0.5, -1, -0.5}, {0.5, -1, 0}});
+    EXPECT_EQ(body.face_count(), 2U);
+    return body;
 }
 
 [[nodiscard]] inline std::vector<NamedBody> given_bodies() {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -20,7 +19,7 @@ struct Allocation {
 struct Log {
     bool counting = false;
     std::size_t count = 0, live = 0;
-    std::array<Allocation, 1 << 14> alive{};  // an array, since a log may not allocate
+    std::array<Allocation, 1 << 14> alive{};  // an array, because the log must not allocate
 };
 
 Log log_;
@@ -38,7 +37,7 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 void release(void* address) noexcept {
-    for (std::size_t i = log_.live; log_.counting && i > 0; --i) {  // most that go have just come
+    for (std::size_t i = log_.live; log_.counting && i > 0; --i) {  // most releases are of recent allocations
         if (log_.alive[i - 1].address != address) continue;
         log_.alive[i - 1] = log_.alive[--log_.live];
         break;
@@ -62,15 +61,6 @@ std::size_t CountedAllocations::live_bytes() const {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < log_.live; ++i) sum += log_.alive[i].bytes;
     return sum;
-}
-
-bool CountedAllocations::hold(const void* address, std::size_t bytes) const {
-    const auto from = reinterpret_cast<std::uintptr_t>(address);
-    return std::any_of(log_.alive.begin(), log_.alive.begin() + static_cast<std::ptrdiff_t>(log_.live),
-                       [&](const Allocation& a) {
-                           const auto base = reinterpret_cast<std::uintptr_t>(a.address);
-                           return from >= base && from + bytes <= base + a.bytes;
-                       });
 }
 
 }  // namespace edgewise

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every heap allocation of this program by operator new, while a counter is active.
+// Counts the heap allocations of this program by operator new, while a counter is active.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,6 @@ class CountedAllocations {
 
     /// Bytes allocated since the start and not freed.
     [[nodiscard]] std::size_t live_bytes() const;
-
-    /// Returns true if these bytes lie inside one allocation that is alive.
-    [[nodiscard]] bool hold(const void* address, std::size_t bytes) const;
 };
 
 }  // namespace edgewise

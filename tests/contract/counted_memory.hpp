@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Memory for tables that remembers what was asked of it.
+// Memory for tables that records its allocations.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace edgewise {
 
 class CountedMemory final : public std::pmr::memory_resource {
   public:
-    /// Asked for and not given back.
+    /// Bytes that are allocated and not freed.
     [[nodiscard]] std::size_t live_bytes() const { return live_bytes_; }
 
     /// Returns true if these bytes lie inside one piece of memory that is in use.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every plane of a table compared with one derived here, in double and by another way: distances of random
-// points, hence signs; and the side that contract.hpp says is positive. A plane may be stored or derived, but
-// its normal has length one as far as the stored precision goes.
+// Compares every plane of a table with one that is derived here, in double and in another way: distances of
+// random points with their signs, and the positive side that contract.hpp defines. A plane may be stored or
+// derived; its normal has length one to the stored precision.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -26,7 +26,7 @@ struct Worst {
     int points = 0;
 };
 
-/// A plane to compare with; `conditioning` is how many steps one step of the coordinates may turn it.
+/// A plane to compare with; `conditioning` is its change, in steps, for one step of the coordinates.
 struct Expected {
     Plane<double> plane;
     double conditioning = 1;
@@ -37,7 +37,7 @@ void compare(const P& plane, const Expected& expected, const Polyhedron& body, s
              Worst& worst) {
     for (int i = 0; i < 4; ++i) {
         const Vec3d p = to_single(Vec3d(body.vertices[rng.below(body.vertex_count())] + rng.in_cube(2)));
-        // A derived plane's normal has any length.
+        // The normal of a derived plane need not have length one.
         const double found = static_cast<double>(plane.distance(cast<ComputeOf<T>>(p))) /
                              norm(Vec3d(plane.normal.template cast<double>()));
         const double size = std::max(1.0, std::max(max_abs(p), std::abs(expected.plane.offset)));
@@ -58,14 +58,14 @@ Plane<double> through(const Vec3d& normal, const Vec3d& point) {
     return {unit, -dot(unit, point)};
 }
 
-/// Half-edge h: the plane at its start, positive beyond it.
+/// Plane at the start of half-edge h, positive beyond the start.
 Expected beyond_start(const Polyhedron& body, HalfEdge h) {
     const Vec3d& start = body.vertices[body.tail(h)];
     return {through(start - body.vertices[body.head(h)], start)};
 }
 
-/// The plane through half-edge h, square to its face, positive on the face's side: along the way from the
-/// edge to the face's middle. Rounding turns it as far as that middle is near the edge.
+/// Plane through half-edge h, perpendicular to its face, positive on the side of the face's centre. Rounding
+/// turns it more if that centre is closer to the edge.
 Expected towards_face(const Polyhedron& body, HalfEdge h) {
     const Vec3d& start = body.vertices[body.tail(h)];
     const Vec3d along = body.vertices[body.head(h)] - start;
@@ -89,24 +89,20 @@ void compare_edge_planes(const T& table, const Polyhedron& body, scene::Rng& rng
 }
 
 TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
-    if constexpr (has_features<typename TypeParam::Table>) {
-        using T = typename TypeParam::Table;
-        scene::Rng rng(1);
-        for (const auto& [name, body] : test_bodies<T>()) {
+    scene::Rng rng(1);
+    for_each_feature_table<typename TypeParam::Table>(
+        [&](const auto& table, const Polyhedron& body, const std::string& name) {
             Worst worst;
-            compare_edge_planes(T(body, Parts::features), body, rng, worst);
+            compare_edge_planes(table, body, rng, worst);
             std::printf("%s %s: Voronoi planes within %.2g steps over %d points\n", TypeParam::name,
                         name.c_str(), worst.steps, worst.points);
-            EXPECT_LE(worst.steps, allowed_steps) << name;
-            EXPECT_EQ(worst.points, 16 * static_cast<int>(body.edge_count())) << name;
-        }
-    } else {
-        GTEST_SKIP() << "this layout has no features";
-    }
+            EXPECT_LE(worst.steps, allowed_steps);
+            EXPECT_EQ(worst.points, 16 * static_cast<int>(body.edge_count()));
+        });
 }
 
-/// Square of the extent of a face over its area: how much rounding of corners turns a normal derived from
-/// them.
+/// Square of a face's extent over its area: the change of a normal derived from corners per rounding of the
+/// corners.
 [[maybe_unused]] double flatness(const Polyhedron& body, Index face) {
     std::vector<Vec3d> corners;
     for (const HalfEdge h : body.ring_of_face(face)) corners.push_back(body.vertices[body.tail(h)]);
@@ -117,44 +113,34 @@ TYPED_TEST(Planes, VoronoiPlanesAreTheDerivedOnes) {
 }
 
 TYPED_TEST(Planes, FacePlanesAreOutwardAndHoldTheirVertices) {
-    if constexpr (has_features<typename TypeParam::Table>) {
-        using T = typename TypeParam::Table;
-        scene::Rng rng(2);
-        for (const auto& [name, body] : test_bodies<T>()) {
-            SCOPED_TRACE(name);
-            const T table(body, Parts::features);
-            Worst worst;
-            for (const auto f : table.all_faces()) {
-                const Index face = body_face(table, f, body);
-                const auto plane = table.face_plane(f);
-                const double flat = DerivesPlanes<T> ? flatness(body, face) : 1;
-                const double tolerance =
-                    allowed_steps * stored_eps<T> * (1 + std::abs(body.face_planes[face].offset)) * flat;
-                compare<T>(plane, {body.face_planes[face], flat}, body, rng, worst);
-                EXPECT_NEAR(norm(Vec3d(plane.normal.template cast<double>())), 1,
-                            allowed_steps * stored_eps<T>);
-                for (const auto v : table.all_vertices())
-                    EXPECT_LE(plane.distance(table.vertex(v)), tolerance);
-                for (const HalfEdge h : body.ring_of_face(face)) {
-                    const auto corner = cast<ComputeOf<T>>(body.vertices[body.tail(h)]);
-                    EXPECT_LE(std::abs(plane.distance(corner)), tolerance);
-                }
+    scene::Rng rng(2);
+    for_each_feature_table<typename TypeParam::Table>([&]<class T>(const T& table, const Polyhedron& body,
+                                                                   const std::string& name) {
+        Worst worst;
+        for (const auto f : table.all_faces()) {
+            const Index face = body_face(table, f, body);
+            const auto plane = table.face_plane(f);
+            const double flat = DerivesPlanes<T> ? flatness(body, face) : 1;
+            const double tolerance =
+                allowed_steps * stored_eps<T> * (1 + std::abs(body.face_planes[face].offset)) * flat;
+            compare<T>(plane, {body.face_planes[face], flat}, body, rng, worst);
+            EXPECT_NEAR(norm(Vec3d(plane.normal.template cast<double>())), 1, allowed_steps * stored_eps<T>);
+            for (const auto v : table.all_vertices()) EXPECT_LE(plane.distance(table.vertex(v)), tolerance);
+            for (const HalfEdge h : body.ring_of_face(face)) {
+                const auto corner = cast<ComputeOf<T>>(body.vertices[body.tail(h)]);
+                EXPECT_LE(std::abs(plane.distance(corner)), tolerance);
             }
-            std::printf("%s %s: face planes within %.2g steps over %d points\n", TypeParam::name,
-                        name.c_str(), worst.steps, worst.points);
-            EXPECT_LE(worst.steps, allowed_steps);
         }
-    } else {
-        GTEST_SKIP() << "this layout has no features";
-    }
+        std::printf("%s %s: face planes within %.2g steps over %d points\n", TypeParam::name, name.c_str(),
+                    worst.steps, worst.points);
+        EXPECT_LE(worst.steps, allowed_steps);
+    });
 }
 
 TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
-    if constexpr (has_features<typename TypeParam::Table>) {
-        using T = typename TypeParam::Table;
-        double worst = 0;
-        for (const auto& [name, body] : test_bodies<T>()) {
-            const T table(body, Parts::features);
+    double worst = 0;
+    for_each_feature_table<typename TypeParam::Table>(
+        [&]<class T>(const T& table, const Polyhedron& body, const std::string& /*name*/) {
             for (const auto v : table.all_vertices()) {
                 for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
                     const Vec3d along = body.vertices[table.index_of(table.head(edge))] -
@@ -164,38 +150,29 @@ TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
                     worst = std::max(worst, max_abs(Vec3d(found - along / norm(along))) / stored_eps<T>);
                 }
             }
-        }
-        std::printf("%s: directions within %.2g steps\n", TypeParam::name, worst);
-        EXPECT_LE(worst, allowed_steps);
-    } else {
-        GTEST_SKIP() << "this layout has no features";
-    }
+            EXPECT_LE(worst, allowed_steps);
+        });
+    std::printf("%s: directions within %.2g steps\n", TypeParam::name, worst);
 }
 
-/// Neighbours must read one and the same number, or V-Clip argues with itself.
+/// Neighbouring features must read the same number, or V-Clip's decisions contradict each other.
 TYPED_TEST(Planes, AreTheSameNumbersEveryTime) {
-    if constexpr (has_features<typename TypeParam::Table>) {
-        using T = typename TypeParam::Table;
-        scene::Rng rng(3);
-        for (const auto& [name, body] : test_bodies<T>()) {
-            const T table(body, Parts::features), other(body, Parts::features);
+    scene::Rng rng(3);
+    for_each_feature_table<typename TypeParam::Table>(
+        [&]<class T>(const T& table, const Polyhedron& body, const std::string& /*name*/) {
+            const T other(body, Parts::features);
             for (const auto v : table.all_vertices()) {
                 const auto p = cast<ComputeOf<T>>(rng.in_cube(2));
                 for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-                    for (const End end : {End::tail, End::head}) {
+                    for (const End end : {End::tail, End::head})
                         EXPECT_EQ(table.vertex_edge_plane(edge, end).distance(p),
                                   other.vertex_edge_plane(edge, end).distance(p));
-                    }
-                    for (const Side side : {Side::left, Side::right}) {
+                    for (const Side side : {Side::left, Side::right})
                         EXPECT_EQ(table.edge_face_plane(edge, side).distance(p),
                                   other.edge_face_plane(edge, side).distance(p));
-                    }
                 }
             }
-        }
-    } else {
-        GTEST_SKIP() << "this layout has no features";
-    }
+        });
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A table refitted to a deformed body of the same topology, compared with a new table of that body: the same
-// answers, bit by bit, and not a byte more of memory.
+// Compares a table that is refitted to a deformed body of the same topology with a new table of that body:
+// the answers have the same bits, and memory does not grow.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -9,7 +9,6 @@
 #include "counted_memory.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"
 #include "query_poses.hpp"
-#include "same_answers.hpp"
 #include "stored_bodies.hpp"
 #include "tables_under_test.hpp"
 
@@ -20,8 +19,8 @@ template <class Type>
 class Refit : public ::testing::Test {};
 TYPED_TEST_SUITE(Refit, TableTypes);
 
-/// Every vertex moved, every face plane another, the rings as they were: turned a quarter and twice as large,
-/// which no storage rounds.
+/// The body turned by a quarter and twice as large, which no storage rounds: every vertex and every face
+/// plane changes, the rings do not.
 Polyhedron deformed(const Polyhedron& body) {
     Polyhedron result = body;
     const auto turned = [](const Vec3d& v) { return Vec3d(-v.y(), v.x(), v.z()); };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The bodies that tables are tested on, as a table stores them: rounded to single, where it
-// does.
+// The bodies that tables are tested on, as a table stores them: rounded to single if it stores single.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@
 
 namespace edgewise {
 
-/// Planes computed when asked for, from corners.
+/// True if planes are computed from corners on demand.
 template <class T>
 concept DerivesPlanes = requires {
     T::derives_planes;
@@ -26,13 +25,13 @@ template <class T>
 inline constexpr bool has_features = FeatureTable<T>;
 template <class T>
 inline constexpr double compute_eps = std::numeric_limits<ComputeOf<T>>::epsilon();
-/// Scalar type that planes are rounded to.
+/// Rounding step of the type that planes are rounded to.
 template <class T>
 inline constexpr double stored_eps =
     DerivesPlanes<T> ? compute_eps<T>
                      : double{std::numeric_limits<typename T::PrecisionType::Stored>::epsilon()};
 
-/// The body that a table holds when it is given this body.
+/// Body that a table of this body holds.
 template <class T>
 [[nodiscard]] Polyhedron as_stored(const Polyhedron& body) {
     auto stored = stored_body<T>(body);
@@ -40,7 +39,7 @@ template <class T>
     return *stored;
 }
 
-/// False of bodies that are too large for the layout.
+/// Returns false if the body is too large for the layout.
 template <class T>
 [[nodiscard]] bool holds(const Polyhedron& body) {
     return !is_limited<T> || stored_body<T>(body);
@@ -58,7 +57,21 @@ template <class T>
     return bodies;
 }
 
-/// The face of the body that a table's face is: handles are the table's own, its rings are the body's.
+/// Calls check(table, body, name) with a table of each test body; skips the test if the layout has no
+/// features.
+template <class T, class Check>
+void for_each_feature_table(Check check) {
+    if constexpr (has_features<T>) {
+        for (const auto& [name, body] : test_bodies<T>()) {
+            SCOPED_TRACE(name);
+            check(T(body, Parts::features), body, name);
+        }
+    } else {
+        GTEST_SKIP() << "this layout has no features";
+    }
+}
+
+/// Index of a table's face in the body, found by the face's first edge.
 template <class T>
 [[nodiscard]] Index body_face(const T& table, const typename T::Face& f, const Polyhedron& body) {
     const auto [edge, flipped] = *table.ring_of_face(f).begin();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A table holds the body that it says: stored_body(b), vertex by vertex, and of that body itself. A grid that
-// was made again from the rounded body was once twice as wide, and the table held another one.
+// A table holds the body that stored_body(b) returns, vertex by vertex; stored_body of that body is the same
+// body. (A grid that was computed again from the rounded body was once twice as wide, and the table held
+// another body.)
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ template <class Type>
 class StoredBody : public ::testing::Test {};
 TYPED_TEST_SUITE(StoredBody, TableTypes);
 
-/// Round, thin, needles, flat; at their own size, tiny, huge, and scaled to where a side is a little below,
-/// at or above a power of two, which is where a grid's step doubles.
+/// Round, thin, needle-shaped and flat bodies; at their own size, tiny, huge, and with a side slightly below,
+/// at or above a power of two, where the step of a grid doubles.
 std::vector<Polyhedron> bodies_of_every_kind() {
     const std::vector<Vec3d> shapes = {
         {1, 0.7, 0.4}, {1, 1, 1e-7}, {1, 1e-5, 1e-5}, {1, 0.3, 0}, {1, 1e-9, 0.2}};
@@ -41,7 +42,7 @@ std::vector<Polyhedron> bodies_of_every_kind() {
     return bodies;
 }
 
-std::vector<Vec3d> sorted(std::vector<Vec3d> points) {
+[[maybe_unused]] std::vector<Vec3d> sorted(std::vector<Vec3d> points) {
     std::ranges::sort(points, [](const Vec3d& p, const Vec3d& q) {
         return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
     });
@@ -58,7 +59,7 @@ TYPED_TEST(StoredBody, IsWhatTheTableHolds) {
         ++held;
         const auto again = stored_body<Table>(*stored);
         ASSERT_TRUE(again) << again.error;
-        // A layout that orders vertices itself may order them again.
+        // A layout with its own order of vertices may reorder them.
         if constexpr (requires { Table::vertex_order; }) {
             EXPECT_EQ(sorted(again->vertices), sorted(stored->vertices));
         } else {

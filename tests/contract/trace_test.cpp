@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same memory through the tracing loader, as the program traces it: the same answers to the bit, and
-// every read inside the memory that the table declares.
+// Queries through the tracing loader, as the program traces them: they give the same answers to the bit, and
+// every read lies inside the memory that the table declares.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/table/loader.hpp"
 #include "query_poses.hpp"
-#include "same_answers.hpp"
 
 namespace edgewise {
 namespace {
@@ -23,10 +22,7 @@ namespace {
 /// Records reads of tables and compares them with the memory that the only table declares.
 class Reads final : public measure::TraceListener {
   public:
-    explicit Reads(std::vector<MappedPiece> pieces) : pieces_(std::move(pieces)) {
-        std::sort(pieces_.begin(), pieces_.end(),
-                  [](const MappedPiece& a, const MappedPiece& b) { return a.offset < b.offset; });
-    }
+    explicit Reads(std::vector<MappedPiece> pieces) : pieces_(std::move(pieces)) {}
 
     void on_access(const measure::TracedAccess& access) override {
         if (access.side == measure::TraceSide::scene) return;
@@ -43,12 +39,10 @@ class Reads final : public measure::TraceListener {
 
   private:
     [[nodiscard]] bool is_declared(const measure::TracedAccess& access) const {
-        const auto after = std::upper_bound(
-            pieces_.begin(), pieces_.end(), access.address,
-            [](std::uint64_t wanted, const MappedPiece& piece) { return wanted < piece.offset; });
-        if (after == pieces_.begin()) return false;
-        const MappedPiece& piece = *std::prev(after);
-        return access.address + access.bytes <= piece.offset + piece.stride * piece.count;
+        return std::any_of(pieces_.begin(), pieces_.end(), [&](const MappedPiece& piece) {
+            return piece.offset <= access.address &&
+                   access.address + access.bytes <= piece.offset + piece.stride * piece.count;
+        });
     }
 
     std::vector<MappedPiece> pieces_;
@@ -68,7 +62,7 @@ scene::Workload workload(const Polyhedron& body, bool warm) {
 
 class Trace : public testing::TestWithParam<const bench::TableType*> {};
 
-/// A runner with one body has one table, which both sides read.
+/// Compares traced answers with untraced ones. A runner with one body has one table, which both sides read.
 void expect_same_answers(const bench::Runner& runner, std::size_t queries, const std::string& name) {
     std::vector<Distance> expected(queries), found(queries);
     static_cast<void>(runner.prepared_range()(0, queries, expected.data()));

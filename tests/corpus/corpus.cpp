@@ -45,7 +45,8 @@ void scale(scene::CaseBody& body, Pose& pose, double factor) {
     pose.translation *= factor;
 }
 
-/// One column is any axis either way, the next any other, the last completes a right-handed frame.
+/// Rotation number `turn`: the first column is any axis with either sign, the second any other axis, and the
+/// third completes a right-handed frame.
 Mat3d quarter_turn(int turn) {
     const int first = turn / 8, second = (first + 1 + turn / 4 % 2) % 3;
     Mat3d result = Mat3d::Zero();
@@ -57,23 +58,17 @@ Mat3d quarter_turn(int turn) {
 }
 
 Pose turned(const Pose& pose, const Mat3d& turn) {
-    Pose result;
-    for (int column = 0; column < 3; ++column) {
-        const Vec3d axis = pose.rotation.col(column);
-        result.rotation.col(column) = multiply(turn, axis);
-    }
-    result.translation = multiply(turn, pose.translation);
-    return result;
+    return {Mat3d(turn * pose.rotation), Vec3d(turn * pose.translation)};
 }
 
-/// Knuth's error of a sum is itself exact.
+/// Returns true if a + b is not rounded, by Knuth's error of a sum, which is itself exact.
 bool is_exact_sum(double a, double b) {
     const double sum = a + b, of_b = sum - a;
     return (a - (sum - of_b)) + (b - of_b) == 0;
 }
 
-/// The longest power of two, of some around the size, that is added to both coordinates without rounding;
-/// else 0.
+/// Longest power of two near the size, with either sign, that can be added to both coordinates without
+/// rounding; 0 if there is none.
 double exact_shift(double a, double b, double size) {
     for (int places = 30; places >= -8; --places) {
         const double shift = std::ldexp(1.0, std::ilogb(size) + places);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The corpus: case files of pairs on which some collision library was wrong, crashed or did not end, each
-// with its source; and the same pairs seen otherwise (swapped, listed backwards, scaled, turned, moved).
+// with its source; and transformations of a pair (swapped, vertices reversed, scaled, turned, moved).
 #pragma once
 
 #include <optional>
@@ -17,20 +17,20 @@ namespace edgewise {
 
 [[nodiscard]] scene::Case swapped(const scene::Case& given);
 
-/// Every vertex list backwards, faces renumbered to match.
+/// Reverses every vertex list, and renumbers faces to match.
 [[nodiscard]] scene::Case reversed(const scene::Case& given);
 
-/// The whole scene times 2^exponent.
+/// Scales the whole scene by 2^exponent.
 [[nodiscard]] scene::Case scaled_by_power(const scene::Case& given, int exponent);
 
-/// How many rotations by quarter turns there are, the identity (number 0) among them.
+/// Number of rotations by quarter turns, with the identity (number 0).
 inline constexpr int quarter_turns = 24;
 
-/// The whole scene turned by one of them: coordinates change places and signs, none is rounded.
+/// Turns the whole scene by quarter turns: coordinates change places and signs, without rounding.
 [[nodiscard]] scene::Case turned(const scene::Case& given, int turn);
 
-/// The whole scene moved, along every axis by the longest power of two, up to 2^30 of the translations' own
-/// length, that rounds neither of them; nothing where no axis has one.
+/// Moves the whole scene along every axis by the longest power of two, up to 2^30 of the translations' own
+/// length, that rounds neither translation; no value if no axis has such a power.
 [[nodiscard]] std::optional<scene::Case> moved_exactly(const scene::Case& given);
 
 }  // namespace edgewise

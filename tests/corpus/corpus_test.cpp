@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Every case of the corpus through every table type and algorithm, as given, swapped, and with its vertices
-// listed backwards. The judge is the exact oracle on the bodies that the tables hold: verdict outside the
-// band, distance, witness points, depth, and the certificates of the stored and of the given bodies. Likewise
-// in a world turned by quarter turns and moved, as far as that rounds no coordinate. And every case at other
-// scales, where the answer must be the same to the bit.
+// reversed. Exact arithmetic on the bodies that the tables hold checks verdicts outside the band, distance,
+// witness points, depth, and the certificates of the stored and of the given bodies. The cases are also
+// turned by quarter turns and moved, as far as that rounds no coordinate, and asked at other scales, where
+// the answer must have the same bits.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 struct Worst {
     double distance = 0, witness = 0, depth = 0;  ///< over scale, beyond the band
     int apart = 0, contact = 0, in_band = 0;
-    int refused = 0, too_large = 0;  ///< out of the storage's range; too large for the layout
+    int refused = 0, too_large = 0;  ///< out of range of the storage; too large for the layout
 };
 
 struct Subject {
@@ -79,7 +79,7 @@ TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
     EXPECT_GT(worst_.contact, 200);
 }
 
-/// So what judges the cases below is right about them too.
+/// Turning and moving a case must not change its exact distance, on which the following test relies.
 TEST(CorpusMotion, LeavesTheExactDistanceAsItIs) {
     for (const scene::Case& given : corpus()) {
         const auto exact = [&](const scene::Case& of) {
@@ -113,7 +113,7 @@ TEST_P(Corpus, IsAnsweredRightInAWorldTurnedAndMoved) {
     EXPECT_GT(worst_.contact, 130);
 }
 
-/// The answer to the case scaled by 2^power must be the answer to the case, scaled; to the bit.
+/// The answer to the case scaled by 2^power must be the scaled answer to the case, to the bit.
 void expect_scaled(const scene::Case& given, int power, bench::Runner& runner, int& compared) {
     SCOPED_TRACE(given.id + " times 2^" + std::to_string(power));
     const auto answer_to = [&](const scene::Case& of) -> std::optional<bench::NamedAnswer> {

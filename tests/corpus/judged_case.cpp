@@ -12,7 +12,7 @@ namespace edgewise {
 
 namespace {
 
-/// World coordinates far from the origin hold no finer difference than `coarse`.
+/// The answer as a claim. World coordinates far from the origin are only exact to `coarse`.
 truth::Claim claim_of(const bench::NamedAnswer& answer) {
     truth::Claim claim = scene::claim_of(answer.distance);
     const double coarse = 4 * Tolerance<double>::eps *
@@ -22,77 +22,53 @@ truth::Claim claim_of(const bench::NamedAnswer& answer) {
     return claim;
 }
 
-class Judge {
-  public:
-    Judge(bench::Runner& runner, const Exactness& exactness, const scene::Case& given,
-          const scene::Query& query, std::span<const Polyhedron> bodies, JudgedCase& result)
-        : runner_(runner),
-          given_(given),
-          query_(query),
-          bodies_(bodies),
-          held_(scene::placed(runner.stored_bodies(), query)),
-          allowed_(truth::allowed_errors(exactness.eps, exactness.rounded_planes)),
-          result_(result) {
-        const bench::NamedAnswer answer = runner.answer(query);
-        if (answer.distance.status == Status::failed) {
-            result_.refusal = "too far from each other for this precision";
-            return;
-        }
-        result_.answered = true;
-        result_.apart = answer.distance.status == Status::separated;
-        check(answer, exactness.eps);
-        certificates(answer);
-    }
-
-  private:
-    void complain(const std::string& what) { result_.complaints.push_back(what); }
-
-    void check(const bench::NamedAnswer& answer, double eps) {
-        const truth::ExactDistance& exact = known_.exact(held_);
-        const Distance& d = answer.distance;
-        band_ = held_.band(eps);
-        const truth::CheckedAnswer checked = truth::check(claim_of(answer), held_, known_, band_, allowed_);
-        if (checked.verdict_wrong) complain(fmt::format("wrong verdict: {}", to_string(d.status)));
-        if (checked.distance_wrong)
-            complain(fmt::format("distance {} instead of {}, witness points {} off", d.distance,
-                                 exact.distance, checked.witness_error));
-        if (checked.depth_wrong)
-            complain(fmt::format("depth {} instead of {}", answer.depth, known_.depth(held_)));
-        if (!result_.apart && exact.verdict != truth::ExactVerdict::separated &&
-            known_.depth(held_) > band_.band && d.status != Status::overlapping)
-            complain(fmt::format("touching at depth {}", known_.depth(held_)));
-        result_.in_band = checked.in_band;
-        result_.distance = band_.beyond(checked.error);
-        result_.witness = band_.beyond(checked.witness_error);
-        result_.depth = band_.beyond(checked.depth_error);
-    }
-
-    void certificates(const bench::NamedAnswer& answer) {
-        const std::vector<Vec3d>&a = given_.a.vertices, &b = given_.b.vertices;
-        const auto known = bench::certificates_of(answer, query_, bodies_, runner_.stored_bodies(), a, b);
-        if (!known) return complain("no certificate: " + known.error);
-        const double exact = known_.exact(held_).distance,
-                     given = truth::KnownPair().exact({a, query_.pose_a, b, query_.pose_b}).distance;
-        if (!(known->stored.lower <= exact && exact <= known->stored.upper))
-            complain("the certificate of the stored bodies misses the exact distance");
-        const double most = allowed_.distance * band_.scale + band_.band;
-        if (const auto why = bench::contradiction(answer.distance.distance, known->stored, most, most);
-            !why.empty())
-            complain(why);
-        if (!(known->given.lower <= given && given <= known->given.upper))
-            complain("the certificate of the given bodies misses the exact distance");
-    }
-
-    bench::Runner& runner_;
-    const scene::Case& given_;
-    const scene::Query& query_;
-    std::span<const Polyhedron> bodies_;
-    truth::PlacedBodies held_;
-    truth::AllowedErrors allowed_;
-    JudgedCase& result_;
-    truth::KnownPair known_;
-    truth::AccuracyBand band_;
+/// The pair as the tables hold it, with its exact answers, its error band and the errors that are allowed.
+struct Question {
+    const scene::Case& given;
+    scene::Query query;
+    truth::PlacedBodies held;
+    truth::AccuracyBand band;
+    truth::AllowedErrors allowed;
+    truth::KnownPair known = {};
 };
+
+void check_answer(const bench::NamedAnswer& answer, Question& asked, JudgedCase& result) {
+    const auto complain = [&](const std::string& what) { result.complaints.push_back(what); };
+    const truth::ExactDistance& exact = asked.known.exact(asked.held);
+    const Distance& d = answer.distance;
+    const truth::CheckedAnswer checked =
+        truth::check(claim_of(answer), asked.held, asked.known, asked.band, asked.allowed);
+    if (checked.verdict_wrong) complain(fmt::format("wrong verdict: {}", to_string(d.status)));
+    if (checked.distance_wrong)
+        complain(fmt::format("distance {} instead of {}, witness points {} off", d.distance, exact.distance,
+                             checked.witness_error));
+    if (checked.depth_wrong)
+        complain(fmt::format("depth {} instead of {}", answer.depth, asked.known.depth(asked.held)));
+    if (!result.apart && exact.verdict != truth::ExactVerdict::separated &&
+        asked.known.depth(asked.held) > asked.band.band && d.status != Status::overlapping)
+        complain(fmt::format("touching at depth {}", asked.known.depth(asked.held)));
+    result.in_band = checked.in_band;
+    result.distance = asked.band.beyond(checked.error);
+    result.witness = asked.band.beyond(checked.witness_error);
+    result.depth = asked.band.beyond(checked.depth_error);
+}
+
+void check_certificates(const bench::NamedAnswer& answer, std::span<const Polyhedron> bodies,
+                        std::span<const Polyhedron> stored, Question& asked, JudgedCase& result) {
+    const auto complain = [&](const std::string& what) { result.complaints.push_back(what); };
+    const std::vector<Vec3d>&a = asked.given.a.vertices, &b = asked.given.b.vertices;
+    const auto known = bench::certificates_of(answer, asked.query, bodies, stored, a, b);
+    if (!known) return complain("no certificate: " + known.error);
+    const double exact = asked.known.exact(asked.held).distance;
+    const double given = truth::KnownPair().exact({a, asked.query.pose_a, b, asked.query.pose_b}).distance;
+    if (!(known->stored.lower <= exact && exact <= known->stored.upper))
+        complain("the certificate of the stored bodies misses the exact distance");
+    const double most = asked.allowed.distance * asked.band.scale + asked.band.band;
+    const auto why = bench::contradiction(answer.distance.distance, known->stored, most, most);
+    if (!why.empty()) complain(why);
+    if (!(known->given.lower <= given && given <= known->given.upper))
+        complain("the certificate of the given bodies misses the exact distance");
+}
 
 }  // namespace
 
@@ -106,7 +82,18 @@ JudgedCase judge_case(bench::Runner& runner, const Exactness& exactness, const s
     result.refusal = runner.load(bodies);
     if (!result.refusal.empty()) return result;
     const scene::Query query{0, 1, 0, given.pose_a, given.pose_b};
-    Judge(runner, exactness, given, query, bodies, result);
+    const bench::NamedAnswer answer = runner.answer(query);
+    if (answer.distance.status == Status::failed) {
+        result.refusal = "too far from each other for this precision";
+        return result;
+    }
+    result.answered = true;
+    result.apart = answer.distance.status == Status::separated;
+    const truth::PlacedBodies held = scene::placed(runner.stored_bodies(), query);
+    Question asked{given, query, held, held.band(exactness.eps),
+                   truth::allowed_errors(exactness.eps, exactness.rounded_planes)};
+    check_answer(answer, asked, result);
+    check_certificates(answer, bodies, runner.stored_bodies(), asked, result);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One case through one runner, beside exact arithmetic on the bodies that the tables hold: everything that
-// can be wrong with an answer, in words. The corpus test and the fuzz targets judge by it.
+// Compares one runner's answer to a case with exact arithmetic on the bodies that the tables hold, and
+// describes every error in words. The corpus test and the fuzz targets use it.
 #pragma once
 
 #include <string>
@@ -13,21 +13,21 @@
 namespace edgewise {
 
 struct JudgedCase {
-    std::vector<std::string> complaints;  ///< none: all is right
-    bool answered = false;                ///< else the bodies were refused, and `refusal` says why
+    std::vector<std::string> complaints;  ///< empty if the answer is right
+    bool answered = false;                ///< false if the bodies were refused; `refusal` says why
     std::string refusal;
     bool apart = false, in_band = false;
     double distance = 0, witness = 0, depth = 0;  ///< errors over scale, beyond the band
 };
 
-/// What decides the errors that an answer is allowed.
+/// Accuracy of a table type, which decides the errors that an answer may have.
 struct Exactness {
-    double eps = 0;               ///< rounding step that computes
-    bool rounded_planes = false;  ///< the planes are rounder
+    double eps = 0;               ///< rounding step of the arithmetic
+    bool rounded_planes = false;  ///< planes are stored with less precision
 };
 
-/// Verdict outside the band, distance, witness points, depth, and the certificates of the stored and of the
-/// given bodies.
+/// Checks the verdict outside the band, distance, witness points, depth, and the certificates of the stored
+/// and of the given bodies.
 [[nodiscard]] JudgedCase judge_case(bench::Runner& runner, const Exactness& exactness,
                                     const scene::Case& given);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A layout that derives its planes walks another way, and ends at the same features: V-Clip on every table
-// type beside V-Clip on aos in the same storage, over the corpus and over generic pairs of spheres and boxes.
-// Features are compared where the exact closest features are unique; status and distance everywhere.
+// A layout that derives its planes takes another walk to the same features. Compares V-Clip on every table
+// type with V-Clip on aos in the same storage, on the corpus and on generic pairs of spheres and boxes.
+// Features are compared if the exact closest features are unique; status and distance always.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Asked {
     scene::Query query;
 };
 
-/// How many vertices are lowest along a direction, to a billionth of the size.
+/// Number of vertices that are lowest along a direction, to a billionth of the size.
 std::size_t lowest(const Polyhedron& body, const Pose& pose, const Vec3d& along) {
     std::vector<double> heights;
     for (const Vec3d& v : body.vertices) heights.push_back(dot(pose.apply(v), along));
@@ -34,7 +34,8 @@ std::size_t lowest(const Polyhedron& body, const Pose& pose, const Vec3d& along)
         std::count_if(heights.begin(), heights.end(), [&](double h) { return h - least <= 1e-9 * size; }));
 }
 
-/// Apart, and the nearest points lie inside one feature each that nothing is parallel to.
+/// Returns true if the bodies are apart and each nearest point lies inside one feature, without parallel
+/// features.
 bool has_unique_features(std::span<const Polyhedron> stored, const scene::Query& query) {
     const auto exact =
         truth::exact_distance(stored[0].vertices, query.pose_a, stored[1].vertices, query.pose_b);
@@ -72,7 +73,7 @@ std::vector<Asked> questions() {
 
 struct Tally {
     int compared = 0, unique = 0, other_features = 0, other_status = 0;
-    double difference = 0;  ///< of distances, over scale
+    double difference = 0;  ///< of distances, in units of the scale
 };
 
 void compare(bench::Runner& plain, bench::Runner& other, const Asked& asked, double eps, Tally& tally) {
@@ -110,8 +111,9 @@ TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
             type.name.c_str(), tally.unique, tally.compared, tally.other_features, tally.other_status,
             tally.difference);
         EXPECT_GT(tally.unique, 500) << type.name;
-        // In single, features that are unique by a hair may be told apart by rounding alone. A layout that
-        // holds small bodies alone has the same such pairs among fewer: a hundredth of what all bodies have.
+        // In single, rounding may decide between features that are unique by a small margin. A layout that
+        // only holds small bodies has the same such pairs among fewer, so the bound is a hundredth of the
+        // most pairs.
         most_unique = std::max(most_unique, tally.unique);
         EXPECT_LE(tally.other_features, single || plain->rounded_planes ? most_unique / 100 : 0) << type.name;
         EXPECT_EQ(tally.other_status, 0) << type.name;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// In a build that Valgrind can run: real cells against Callgrind, and the deterministic figures of this build
-// against those of the program tuned to this machine, in another environment.
+// In a build that Valgrind can run: compares real cells with Callgrind, and the deterministic figures of this
+// build with those of the program that is tuned to this machine, in another environment.
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cells_paths.hpp"
+#include "crosscheck_paths.hpp"
 #include "deterministic_figures.hpp"
 
 namespace edgewise {
@@ -25,27 +25,27 @@ void PrintTo(const Cell& cell, std::ostream* out) { *out << cell.name; }
 
 class CrosscheckCells : public testing::TestWithParam<Cell> {};
 
-/// Every geometry of a first level that the manifest has, with four of a second.
+/// Machines with every geometry of a first level in the manifest, and four of a second level.
 constexpr const char* machines =
     "pentium2_deschutes,pentium3_coppermine,athlon_thunderbird,skylake_sp,zen5,raspberry_pi4";
 
-/// Lines per query by which the tool may exceed the model. What it sees beyond tables, pair caches and poses
-/// is the stack, constants, answers and instructions. In the 16 KiB of the Pentiums they may also throw lines
-/// out of every pass over a table that nearly fills the cache. In the Raspberry Pi's two ways any three lines
-/// in use that share a set miss at every turn: some twenty of the stack and of constants, in each of five
-/// iterations at most. Which sets these fall into is chance, of the environment's length and of where the
-/// linker put what (4 to 74 misses per query of one cell seen), so the bound there starts from the model
-/// without the stack's ways.
+/// Lines per query by which the tool may exceed the model. Besides tables, pair caches and poses, the tool
+/// sees the stack, constants, answers and instructions. In the 16 KiB of the Pentiums these may also evict
+/// lines in every pass over a table that nearly fills the cache. In the two ways of the Raspberry Pi any
+/// three lines that share a set miss each time: about twenty lines of the stack and of constants, in at most
+/// five iterations each. Their sets depend by chance on the length of the environment and on the linker (4 to
+/// 74 misses per query of one cell seen), so the bound there starts from the model without the ways of the
+/// stack.
 double most_beyond(const std::string& machine) {
     if (machine == "raspberry_pi4") return 100;
     return machine.starts_with("pentium") ? 14 : 7.5;
 }
 
-/// In the last level they may differ by a line and a half per query and a tenth of the misses: a table that
-/// nearly fills it loses lines to the stack, by chance (2.1 and 2.4 instead of 11.6 seen in two runs of one
-/// build). Less by a line or so, since a query's record is not read to its last byte;
-/// and in lines of 32 bytes by up to half of the misses on poses: a wide load of a pose lies in two lines,
-/// and Callgrind counts it once.
+/// In the last level the two may differ by 1.5 lines per query and a tenth of the misses: a table that nearly
+/// fills the cache loses lines to the stack, by chance (2.1 and 2.4 instead of 11.6 seen in two runs of one
+/// build). The tool may have about one line less, because a query's record is not read to its last byte. With
+/// lines of 32 bytes it may have up to half of the misses on poses less: a wide load of a pose lies in two
+/// lines, and Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The cache model against Callgrind, which is independent of it: kernels with only known accesses, on
-// caches old and new. Callgrind also caches instructions and the stack in its last level, so a few misses
-// more there are its own.
+// Compares the cache model with Callgrind, which is independent of it, on kernels with known accesses and on
+// old and new caches. Callgrind also has instructions and the stack in its last level, so it has a few misses
+// more there.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 #include "crosscheck_paths.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
 #include "program.hpp"
 
 namespace edgewise {
@@ -25,7 +27,7 @@ struct Geometry {
 
 void PrintTo(const Geometry& geometry, std::ostream* out) { *out << geometry.name; }
 
-/// What either counted of a kernel.
+/// Counts of a kernel, by the model or by the tool.
 struct Counted {
     double accesses = 0, d1 = 0, ll = 0;
 };
@@ -40,26 +42,14 @@ Kernels modelled(const std::string& printed) {
     return kernels;
 }
 
-/// One dump. A total leaves out zeros at its end: missing events are none.
+/// Counts of one dump.
 Counted counted_in(const std::string& dump) {
-    std::map<std::string, double> events;
-    std::vector<std::string> names;
-    for (const std::string& line : lines_of(dump)) {
-        std::istringstream words(line);
-        std::string word;
-        words >> word;
-        if (word == "events:") {
-            while (words >> word) names.push_back(word);
-        } else if (word == "totals:" || word == "summary:") {
-            double value = 0;
-            for (std::size_t i = 0; i < names.size() && words >> value; ++i) events[names[i]] = value;
-        }
-    }
-    EXPECT_THAT(names, testing::IsSupersetOf({"Dr", "Dw", "D1mr", "D1mw", "DLmr", "DLmw"}));
-    return {events["Dr"] + events["Dw"], events["D1mr"] + events["D1mw"], events["DLmr"] + events["DLmw"]};
+    const auto counts = measure::parse_callgrind(dump).value;
+    EXPECT_TRUE(counts) << dump;
+    return counts ? Counted{counts->accesses, counts->d1_misses, counts->ll_misses} : Counted();
 }
 
-/// By the label that the kernel gave its dump.
+/// Counts of all dumps in a folder, by the label that each kernel gave its dump.
 Kernels counted(const Folder& folder) {
     Kernels kernels;
     for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
@@ -80,8 +70,7 @@ TEST_P(Crosscheck, TheModelMissesWhatCallgrindMisses) {
     const Geometry& g = GetParam();
     const Folder folder;
     const auto option = [&](const char* name, unsigned bytes, unsigned ways) {
-        return std::string("--") + name + "=" + std::to_string(bytes) + "," + std::to_string(ways) + "," +
-               std::to_string(g.line);
+        return fmt::format("--{}={},{},{}", name, bytes, ways, g.line);
     };
     const auto text = [](unsigned value) { return std::to_string(value); };
     Process process(
@@ -132,9 +121,9 @@ Outcome under_valgrind(const Arguments& options, const Folder& folder) {
     return process.wait();
 }
 
-/// A program's whole trace by lackey, modelled, against Cachegrind's own run of it. Each is a process with
-/// addresses of its own; Cachegrind counts what is modified as read alone, and one miss where a reference is
-/// over two lines.
+/// Compares the model of a program's whole trace by lackey with Cachegrind's run of the program. The two
+/// processes have different addresses. Cachegrind counts a modified word as a read only, and one miss if a
+/// reference crosses two lines.
 TEST(Lackey, IsModelledAsCachegrindModelsTheProgram) {
     const Folder folder;
     ASSERT_EQ(under_valgrind({"--tool=lackey", "--trace-mem=yes", "--log-file=t.lackey"}, folder).exit_code,

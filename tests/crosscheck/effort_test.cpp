@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise effort` in the program that Valgrind can run: a library of known cost, whose instructions it must
-// find, ours twice over, and its message where something is missing.
+// `edgewise effort` in the program that Valgrind can run: it must find the number of instructions of a
+// library of known cost, give our own figures twice, and print a message if a tool is missing.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -10,8 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "cells_paths.hpp"
-#include "effort_paths.hpp"
+#include "crosscheck_paths.hpp"
 #include "program.hpp"
 
 namespace edgewise {
@@ -22,7 +21,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The program next to modules of this test.
+/// Path of the program, copied next to the modules of this test.
 std::string program_in(const Folder& folder) {
     const fs::path program = folder / "edgewise_sim";
     if (fs::exists(program)) return program;
@@ -35,7 +34,7 @@ std::string program_in(const Folder& folder) {
     return program;
 }
 
-/// By table type and algorithm; of GJK on aos_f64 unless said otherwise.
+/// Rows by table type; by default of GJK on aos_f64.
 std::map<std::string, json> effort(const Folder& folder, const Arguments& more,
                                    const Arguments& environment = {}) {
     Arguments arguments = environment;
@@ -58,7 +57,7 @@ double value(const json& row, const char* figure) {
     return found.at("value").is_number() ? found.at("value").get<double>() : std::nan("");
 }
 
-/// Around the loop a query costs the bench's own bookkeeping. The difference between the two libraries is the
+/// Besides the loop, a query includes the bench's own code. The difference between the two libraries is the
 /// loop alone, to the instruction.
 TEST(EffortOfAPeer, FindsAKnownNumberOfInstructions) {
     const Folder folder;
@@ -72,15 +71,15 @@ TEST(EffortOfAPeer, FindsAKnownNumberOfInstructions) {
     EXPECT_LE(value(lesser, "effort.mispredictions"), 3);
     std::printf("effort: %.2f and %.2f instructions per query of loops of 2000 and 10000\n", less, more);
     EXPECT_EQ(lesser.at("status"), "judged");
-    EXPECT_THAT(lesser.at("reason").dump(), HasSubstr("wrong")) << "it answers 1 whatever it is asked";
+    EXPECT_THAT(lesser.at("reason").dump(), HasSubstr("wrong")) << "its answer is always 1";
     EXPECT_THAT(lesser.at("figures").at("effort.steps").at("reason").dump(), HasSubstr("library"));
-    // The coordinates of 38 vertices, and what the allocator adds.
+    // The coordinates of 38 vertices, and the overhead of the allocator.
     EXPECT_GE(value(lesser, "bytes.table_bytes"), 38 * 24);
     EXPECT_LE(value(lesser, "bytes.table_bytes"), 38 * 24 + 64);
 }
 
-/// Instructions and branches are the program's alone; where the stack lies, which decides a few misses, is
-/// the environment's.
+/// Instructions and branches depend on the program only. The environment moves the stack, which changes a few
+/// misses.
 TEST(Effort, IsTheSameInAnotherEnvironment) {
     const Folder here, there;
     const auto first = effort(here, {}).at("aos_f64");
@@ -104,15 +103,13 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
                 value(first, "effort.mispredictions"), value(second, "effort.mispredictions"));
 }
 
-/// Phases of default cells: they are those that the command checks against Callgrind's total; hardly any
-/// instruction is of a file that the table of phases (studies/phases/phases.cpp) does not know.
+/// The phases of default cells add up to Callgrind's total, and at most 3 % of instructions belong to
+/// functions that the table of phases (studies/phases/phases.cpp) does not name.
 TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     const Folder folder;
-    const Outcome outcome = Process(program_in(folder),
-                                    {"effort", "--by-phase", "--json", "--layouts",
-                                     "aos_f64,lean_f64,points_soa_f64", "--queries", "50"},
-                                    folder)
-                                .wait();
+    const Arguments arguments = {
+        "effort", "--by-phase", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64", "--queries", "50"};
+    const Outcome outcome = Process(program_in(folder), arguments, folder).wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json printed = json::parse(outcome.out), &rows = printed.at("effort_by_phase");
     EXPECT_EQ(rows.size(), 5U);
@@ -133,7 +130,7 @@ TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     }
 }
 
-/// Divided or not, it is the same work; of a scene that turns nothing, too.
+/// The total by phase is the total without phases, also in a scene without rotation.
 TEST(EffortByPhase, CountsWhatEffortCounts) {
     const Folder folder;
     const Arguments cell = {"--json",       "--scene", "cold",      "--layouts", "aos_f64",

@@ -2,22 +2,120 @@
 //
 // crosscheck_kernels LINE D1_BYTES D1_WAYS LL_BYTES LL_WAYS
 //
-// Run under Callgrind with the same geometry: every kernel from empty caches, which switching instrumentation
-// on makes, and a dump after each; and once into the model. From full caches the few lines of stack that a
-// call touches would evict lines, and each eviction costs up to as many misses as a set has ways. Prints the
-// model's counts, a line a kernel: name, accesses, D1 misses, LL misses.
+// Runs under Callgrind with the same geometry: every kernel starts with empty caches, because instrumentation
+// is switched on before it, and writes a dump. It also runs once into the model. With full caches, the few
+// lines of stack of a call would evict lines, and each eviction could cause one miss per way of a set. Prints
+// the model's counts, one line per kernel: name, accesses, D1 misses, LL misses.
 #include <valgrind/callgrind.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "kernels.hpp"
+#include "edgewise/measure/cache/cache_model.hpp"
 
 namespace edgewise::crosscheck {
 namespace {
+
+// Small loops over memory with explicit accesses. They run with real loads and stores, which the compiler can
+// neither drop nor add, and into a cache model. A simulator of the whole processor must count for the real
+// run what the model counts.
+
+using Word = std::uint64_t;
+constexpr std::uint32_t word_bytes = sizeof(Word);
+
+/// The next of a sequence of pseudo-random numbers (Knuth's MMIX).
+void advance(Word& place) { place = place * 6364136223846793005 + 1442695040888963407; }
+
+/// Real loads and stores; everything else stays in registers.
+struct RealMemory {
+    Word read(const Word* at) const { return *static_cast<const volatile Word*>(at); }
+    void write(Word* at, Word value) const { *static_cast<volatile Word*>(at) = value; }
+    /// Reads a word at any byte.
+    Word read_at(const char* at) const {
+        Word value;
+        asm volatile("movq %1, %0" : "=r"(value) : "m"(*at));
+        return value;
+    }
+};
+
+/// Sends the same accesses to a model.
+struct ModelMemory {
+    measure::CacheModel& model;
+
+    Word read(const Word* at) const { return read_at(reinterpret_cast<const char*>(at)); }
+    void write(Word* at, Word value) const {
+        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, measure::AccessKind::write);
+        *at = value;
+    }
+    Word read_at(const char* at) const {
+        model.access(reinterpret_cast<std::uintptr_t>(at), word_bytes, measure::AccessKind::read);
+        Word value;
+        std::memcpy(&value, at, sizeof value);
+        return value;
+    }
+};
+
+/// Accesses memory word by word, `times` times.
+template <class Memory>
+Word sequence(const Memory& memory, const std::vector<Word>& words, Word times) {
+    Word sum = 0;
+    for (; times > 0; --times) {
+        for (const Word& word : words) sum += memory.read(&word);
+    }
+    return sum;
+}
+
+/// Follows `words`, in which each word is the index of the next one; they are a single cycle.
+template <class Memory>
+Word chase(const Memory& memory, const std::vector<Word>& words, Word steps) {
+    Word at = 0;
+    for (; steps > 0; --steps) at = memory.read(&words[at]);
+    return at;
+}
+
+/// Reads random records of 21 words, the paper's 168 bytes.
+template <class Memory>
+Word records(const Memory& memory, const std::vector<Word>& words, Word steps) {
+    const Word count = words.size() / 21;
+    Word sum = 0, place = 1;
+    for (; steps > 0; --steps) {
+        advance(place);
+        const Word* const record = &words[(place >> 33) % count * 21];
+        for (int i = 0; i < 21; ++i) sum += memory.read(record + i);
+    }
+    return sum;
+}
+
+/// Reads words at random bytes, so that many cross a line.
+template <class Memory>
+Word crossings(const Memory& memory, const std::vector<Word>& words, Word steps) {
+    const auto* const bytes = reinterpret_cast<const char*>(words.data());
+    const Word count = words.size() * word_bytes - word_bytes;
+    Word sum = 0, place = 1;
+    for (; steps > 0; --steps) {
+        advance(place);
+        sum += memory.read_at(bytes + (place >> 33) % count);
+    }
+    return sum;
+}
+
+/// Copies random words to random places.
+template <class Memory>
+Word copies(const Memory& memory, std::vector<Word>& words, Word steps) {
+    Word place = 1;
+    for (; steps > 0; --steps) {
+        advance(place);
+        const Word from = (place >> 33) % words.size(), to = (place >> 13) % words.size();
+        memory.write(&words[to], memory.read(&words[from]));
+    }
+    return 0;
+}
 
 volatile Word sink;
 
@@ -35,13 +133,13 @@ void run(const std::string& name, const measure::CacheGeometry& geometry, Kernel
     CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
-/// One cycle through all of them in a seeded random order (Sattolo, 1986).
+/// A single cycle through all words in a seeded random order (Sattolo, 1986).
 std::vector<Word> cycle(std::size_t count) {
     std::vector<Word> next(count);
     std::iota(next.begin(), next.end(), Word{0});
     Word place = 3;
     for (std::size_t i = count; i > 1; --i) {
-        place = (place * 6364136223846793005 + 1442695040888963407);
+        advance(place);
         std::swap(next[i - 1], next[(place >> 33) % (i - 1)]);
     }
     return next;

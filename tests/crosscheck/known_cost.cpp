@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A library with queries of a known number of instructions: KNOWN_ROUNDS rounds of a loop of two, one of
-// which is a branch that is taken each time but the last. Its answers are the same whatever is asked.
+// A library with queries of a known number of instructions: KNOWN_ROUNDS rounds of a loop of two
+// instructions, one of them a branch that is taken in every round except the last. Its answer is always the
+// same.
 #include "edgewise/peers/adapters/module.hpp"
 
 namespace edgewise::peers {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// GJK on the canonical bodies places the pairs; it may be wrong without harm, since every pair is judged by
-// its exact distance and the test asserts that all regimes were met.
+// GJK on the canonical bodies places the pairs. Its errors do no harm, because every pair is checked by its
+// exact distance and the test asserts that all regimes occurred.
 #include "random_pairs.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ Distance canonical_distance(const Polyhedron& a, const Polyhedron& b, const Rand
     return Gjk::query(Canonical(a), Canonical(b), relative_pose(pair.pose_a, pair.pose_b), cold);
 }
 
-/// Quarter turns: rotations without rounding.
+/// A rotation by quarter turns, without rounding.
 Mat3d quarter_turns(scene::Rng& rng) {
     Mat3d turn = Mat3d::Zero();
     const auto first = static_cast<int>(rng.below(3));
@@ -27,7 +27,7 @@ Mat3d quarter_turns(scene::Rng& rng) {
     return turn;
 }
 
-/// Spread over the decades between 2^-low and 2^-high.
+/// A random number between 2^-low and 2^-high; all its orders of magnitude are equally likely.
 double power(scene::Rng& rng, int low, int high) {
     const auto exponent = low + static_cast<int>(rng.below(static_cast<std::uint64_t>(high - low)));
     return std::ldexp(rng.uniform(0.5, 1), -exponent);
@@ -66,8 +66,8 @@ void PairMaker::orient(RandomPair& pair) {
     pair.pose_b.rotation = scene::rotation_matrix(of_b);
 }
 
-/// Parallel faces, exact touching, edge on edge: whatever quarter turns and quarters of the body's reach
-/// give.
+/// Places B by quarter turns and by quarters of the largest coordinate: gives parallel faces, exact contact,
+/// and edges on edges.
 void PairMaker::place_on_lattice(RandomPair& pair) {
     double largest = 0;
     for (const Vec3d& v : a_.vertices) largest = std::max(largest, max_abs(v));
@@ -94,7 +94,7 @@ double PairMaker::wanted_gap() {
     }
 }
 
-/// How far along the direction B must be for a gap of a fiftieth of the size.
+/// Offset of B along the direction for a gap of a fiftieth of the size.
 double PairMaker::near_offset(const RandomPair& pair, const Vec3d& direction) const {
     double low = 0, high = 2 * size_;
     for (int i = 0; i < 10; ++i) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Random pairs of two bodies in the regimes that matter: gaps from three body sizes down to a billionth of
-// one, overlaps as shallow and as deep; any orientation, nearly the same and exactly the same one, and
+// one, and overlaps of the same depths; random, nearly equal and equal orientations, and
 // lattices.
 //
-// A pair is placed by moving B along the line between closest points, which keeps the closest features of
-// where it started. Started far apart these are nearly always vertices, so half of the pairs start close
-// together, where edges and faces are met.
+// B is moved along the line between the closest points, which keeps the closest features of the start. If the
+// bodies start far apart, these are nearly always vertices; so half of the pairs start close together, where
+// edges and faces are closest.
 #pragma once
 
 #include <limits>
@@ -24,8 +24,8 @@ inline constexpr const char* relation_names[] = {"generic", "nearly parallel", "
 struct RandomPair {
     Relation relation = Relation::generic;
     Pose pose_a, pose_b;
-    double gap = std::numeric_limits<double>::infinity();  ///< as placed, negative in overlap; infinite: not
-                                                           ///< placed by it
+    double gap = std::numeric_limits<double>::infinity();  ///< as placed; negative in overlap;
+                                                           ///< infinite if not placed by a gap
 };
 
 class PairMaker {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Random pairs, every answer beside the exact one: cold, and warm from wherever the last query ended.
+// Compares every answer on random pairs with the exact one: cold, and warm from the end of the last query.
 //
-// What must hold. No verdict is wrong outside the band where rounding decides; distances and witness points
-// are right to tolerance.hpp's verified errors; witness points are in their bodies; every regime and every
-// state of V-Clip was visited; and V-Clip itself answers: on generic poses its fallback is never needed in
-// double, and where anything is stored in single at most once in a thousand of those clear of contact. On
-// parallel poses it may be needed; those are counted apart.
+// No verdict may be wrong outside the band where rounding decides. Distances and witness points must be right
+// to the verified errors of tolerance.hpp, and witness points lie in their bodies. Every regime and every
+// state of V-Clip must occur. In generic poses V-Clip never needs its fallback in double, and at most once in
+// a thousand pairs clear of contact if anything is stored in single. In parallel poses it may need its
+// fallback; these are counted separately.
 //
-// One known weakness is allowed for: see parallel_reach.
+// The bounds allow for one known weakness: see parallel_reach.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,6 @@
 #include <cstdio>
 #include <string>
 
-#include "allowed.hpp"
 #include "judged.hpp"
 #include "query_poses.hpp"
 #include "stored_bodies.hpp"
@@ -29,7 +28,7 @@ constexpr int pairs_a_shape = 1500;
 template <class Table>
 constexpr bool stored_in_double = stored_eps<Table> <= Tolerance<double>::eps;
 
-/// The states that V-Clip was in: three kinds by three; face-face never is.
+/// The states that V-Clip was in: three kinds by three, without face-face, which has no state.
 struct States : NoObserver {
     std::bitset<9> visited;
     void visit(FeatureKind a, FeatureKind b) {
@@ -43,8 +42,8 @@ constexpr bool is_vclip = std::is_same_v<Algorithm, VClip>;
 
 template <class Table>
 struct RandomTally {
-    std::array<double, classes> error{};  ///< of distance and place
-    std::array<int, classes> worst{};     ///< the pair that has it
+    std::array<double, classes> error{};  ///< of the distance, and of witness points outside their bodies
+    std::array<int, classes> worst{};     ///< the pair with this error
     std::array<int, classes> wrong{};     ///< verdicts
     double witness = 0;
     std::array<int, 4> asked{}, fallbacks{};
@@ -74,7 +73,7 @@ struct Setting {
     std::vector<CheckedPair> pairs;
 };
 
-/// A shape beside the same shape at three quarters of its size.
+/// A shape, and the same shape at three quarters of its size.
 template <class Table>
 Setting make_setting(const std::string& name) {
     const auto body = scene::make_shape(name);
@@ -125,7 +124,7 @@ void print(const RandomTally<Table>& tally, const std::string& name) {
     }
 }
 
-/// The answers to all pairs of a setting, each judged; `ask_one(pose)` is the query.
+/// Checks the answers to all pairs of a setting; `ask_one(pose)` is the query.
 template <class Table, class Ask>
 void expect_right_answers(const Setting& setting, const std::string& name, Ask ask_one) {
     RandomTally<Table> tally;
@@ -180,8 +179,8 @@ void expect_every_regime(const Setting& setting) {
     }
 }
 
-/// Asked again from where it ended, V-Clip sees at once that it is there, and says the same to the bit. (An
-/// answer that GJK worked out again may lie on other features at the same distance.)
+/// A second query from the end of the first takes V-Clip one step and gives the same bits. (If GJK recomputed
+/// an answer, it may lie on other features at the same distance.)
 template <class T>
 void expect_vclip_stays(const Setting& setting) {
     int asked = 0;
@@ -204,7 +203,7 @@ template <class Type>
 class RandomPairs : public ::testing::Test {};
 TYPED_TEST_SUITE(RandomPairs, TableTypes);
 
-/// One test: most of its time goes into the exact answers, which all of its parts need.
+/// A single test, because all its parts need the exact answers, which take most of the time.
 TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
     using Table = typename TypeParam::Table;
     int held = 0;

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Table types that exact arithmetic does not judge themselves (CMakeLists.txt): each gives, to the bit, the
-// answers of one that it does judge, to random pairs in every relation and at every gap of PairMaker, cold
-// and warm, of solids and of flat bodies. It is the program's own code that answers.
+// Table types that exact arithmetic does not check (CMakeLists.txt): each gives, to the bit, the answers of a
+// table type that it does check. The pairs are in every relation and at every gap of PairMaker, cold and
+// warm, of solids and of flat bodies. The program's own query loops answer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "bodies.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "random_pairs.hpp"
 #include "representatives.hpp"
 
@@ -25,25 +23,14 @@ namespace {
 
 constexpr std::uint32_t pairs_per_setting = 1000;
 
-Polyhedron hull(const std::vector<Vec3d>& points) {
-    const auto body = hull_of_any(points);
-    EXPECT_TRUE(body) << body.error;
-    return *body;
-}
-
 std::vector<Polyhedron> bodies() {
-    std::vector<Polyhedron> all = {hull({{0.25, -0.5, 0.125}}), hull({{-0.5, 0.25, 0}, {0.75, -0.25, 0.5}}),
-                                   hull({{-0.5, 0, 0.25}, {0.75, 0, -0.25}, {0, 1, 0.5}}),
-                                   hull({{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}})};
-    for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) {
-        const auto body = scene::make_shape(name);
-        EXPECT_TRUE(body) << body.error;
-        all.push_back(*body);
-    }
+    std::vector<Polyhedron> all;
+    for (const NamedBody& named : flat_bodies()) all.push_back(named.body);
+    for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) all.push_back(shape(name));
     return all;
 }
 
-/// Each body beside itself and beside the cube; one pair of bodies is one pair cache where starts are warm.
+/// Each body next to itself and next to the cube. With warm starts each pair of bodies has one pair cache.
 scene::Workload workload(bool warm) {
     scene::Workload all;
     all.bodies = bodies();
@@ -83,22 +70,20 @@ std::string answers(const bench::TableType& type, const std::string& algorithm) 
 }
 
 TEST(SameClass, EveryTableTypeAnswersAsOneThatIsJudged) {
-    std::set<std::string> judged;
-    std::istringstream names(representatives);
-    for (std::string name; names >> name;) judged.insert(name);
-    std::map<std::string, std::string> classes, others;  // algorithm and answers -> who; who -> the same
+    std::map<std::string, std::string> classes,
+        others;  // algorithm and answers -> cell; cell -> algorithm and answers
     const std::vector<Polyhedron> all = bodies();
     for (const bench::TableType& type : bench::table_types()) {
         const bool holds_all = std::all_of(all.begin(), all.end(), [&](const Polyhedron& body) {
             return static_cast<bool>(type.stored_body(body));
         });
-        if (!holds_all) {  // no other answers the same bodies
-            EXPECT_TRUE(judged.count(type.name)) << type.name;
+        if (!holds_all) {  // no other table type answers the same bodies
+            EXPECT_TRUE(representatives.contains(type.name)) << type.name;
             continue;
         }
         for (const std::string& algorithm : type.algorithms) {
             const std::string given = algorithm + " " + answers(type, algorithm);
-            if (judged.count(type.name)) {
+            if (representatives.contains(type.name)) {
                 classes.emplace(given, type.name);
             } else {
                 others.emplace(type.name + " " + algorithm, given);
@@ -106,12 +91,12 @@ TEST(SameClass, EveryTableTypeAnswersAsOneThatIsJudged) {
         }
     }
     ASSERT_FALSE(classes.empty());
-    for (const auto& [who, given] : others) {
+    for (const auto& [cell, given] : others) {
         const auto found = classes.find(given);
-        EXPECT_NE(found, classes.end()) << who << " answers as none of those that exact arithmetic judges";
-        if (found != classes.end()) std::printf("%s answers as %s\n", who.c_str(), found->second.c_str());
+        EXPECT_NE(found, classes.end()) << cell << " answers as no table type that exact arithmetic checks";
+        if (found != classes.end()) std::printf("%s answers as %s\n", cell.c_str(), found->second.c_str());
     }
-    std::printf("%zu classes of equal answers judged, %zu table types x algorithms held to them\n",
+    std::printf("%zu classes of equal answers checked, %zu table types x algorithms compared with them\n",
                 classes.size(), others.size());
 }
 

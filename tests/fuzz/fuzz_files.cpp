@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The fuzz target of what users write and hand over: which reader it feeds is the program's name, fuzz_scene,
-// fuzz_plan and so on, as `readers` below has them. A reader may refuse with one line, by value or by
-// std::exception; anything else is a find: a crash, a hang, memory without end, a line break.
+// The fuzz target of users' input. The program's name selects the reader: fuzz_scene, fuzz_plan and so on,
+// see `readers` below. A reader may refuse input with one line, by value or by std::exception. A crash, a
+// hang, unlimited memory, or a line break in the message is a failure.
 #include <unistd.h>
 
 #include <cstdint>
@@ -82,7 +82,7 @@ void read_trace(const std::string& text) {
                                           [&](const measure::FileAccess& access) { bytes += access.bytes; }));
 }
 
-/// As a shell hands them over: one short line, to each of those that take a text.
+/// Gives one short line, as a shell would, to each parser of an option's text.
 void read_option(const std::string& text) {
     if (text.size() > 200 || text.find('\n') != std::string::npos) return;
     check_line(input::parse_count(text, input::queries_range).error);
@@ -92,7 +92,7 @@ void read_option(const std::string& text) {
     refused_in_one_line([&] { static_cast<void>(measure::machine_of_sizes(text)); });
 }
 
-/// A drawing that is shown holds no tag but these, and in them nothing that runs or loads.
+/// A drawing that is shown may only have these tags, without attributes that run or load anything.
 void read_svg(const std::string& text) {
     const auto shown = reports::safe_svg(text);
     if (!shown) return;
@@ -108,7 +108,7 @@ void read_svg(const std::string& text) {
     static_cast<void>(reports::slim_svg(*shown, text));
 }
 
-/// The readers here and the checks before others: no parser of others.
+/// Our own readers, and our checks before Assimp; Assimp itself is not fuzzed.
 void read_mesh(const std::string& text) {
     check_line(scene::obj_parts(text).error);
     check_line(scene::stl_parts(text).error);
@@ -121,7 +121,7 @@ void read_mesh(const std::string& text) {
     }
 }
 
-/// A store of some cells, as bytes; the file is used again.
+/// Bytes of a store with some cells, written to this path.
 std::string whole_store(const std::string& path) {
     {
         store::Store store(path);
@@ -138,7 +138,7 @@ std::string whole_store(const std::string& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// In memory; gone with the process.
+/// A store in memory, removed at the end of the process.
 class StoreFile {
   public:
     ~StoreFile() {
@@ -148,7 +148,7 @@ class StoreFile {
     const std::string whole = whole_store(path);
 };
 
-/// A store with some bytes changed: four of the input say where, a fifth to what.
+/// Reads a store with some bytes changed: four bytes of the input are the place, the fifth is the new value.
 void read_store(const std::string& text) {
     static const StoreFile file;
     std::string damaged = file.whole;

@@ -11,14 +11,15 @@ namespace edgewise {
 namespace {
 
 constexpr std::size_t most_vertices = 24;
-/// Pure number: a matrix farther from orthogonal is not what a user means by a rotation.
+/// Largest deviation from an orthogonal matrix that counts as a rotation; no unit.
 constexpr double most_ortho_error = 1e-6;
 
-/// Binary places around 1 within which coordinates are taken as they are. Flipped exponent bits would else
-/// make most pairs a few points 10^200 times as far out as the others; those sizes have tests of their own.
+/// Coordinates between 2^-40 and 2^40 stay unchanged. Otherwise flipped exponent bits would put a few points
+/// of most pairs 10^200 times as far out as the others; such sizes have their own tests.
 constexpr int most_places = 40;
 
-/// Smaller numbers become zero, which makes flat, coincident and aligned points; larger ones come back in.
+/// Smaller numbers become zero, which gives flat, coincident and aligned points; larger ones get a smaller
+/// exponent.
 double tame(double x) {
     if (!std::isfinite(x) || x == 0) return x;
     const int exponent = std::ilogb(x);
@@ -32,7 +33,7 @@ class Reader {
   public:
     explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-    /// Beyond the end all is zero.
+    /// Next byte; zero after the end.
     [[nodiscard]] std::uint8_t byte() {
         if (bytes_.empty()) return 0;
         const std::uint8_t first = bytes_[0];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair of bodies as bytes, so that a fuzzer's small changes are small changes of the pair: two counts, a
-// form, then doubles as they lie in memory. The form says whether rotations are nine doubles (as cases give
-// them; only what is nearly orthogonal is taken) or a quaternion of four small whole numbers.
+// A pair of bodies as bytes, so that small changes by a fuzzer are small changes of the pair: two counts, a
+// form, then doubles as in memory. With the first form, rotations are nine doubles as in a case, and must be
+// nearly orthogonal; with the second, quaternions of four small whole numbers.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace edgewise {
 
-/// Nothing when the bytes are no pair: a number that is not finite, or no rotation.
+/// Returns no value if a number is not finite or a matrix is not a rotation.
 [[nodiscard]] std::optional<scene::Case> pair_from_bytes(std::span<const std::uint8_t> bytes);
 
-/// Nothing when the case has more vertices than a pair of bytes holds. Faces as given are left out.
+/// Returns no value if the case has more vertices than the format holds. Given faces are left out.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> bytes_from_pair(const scene::Case& given);
 
 }  // namespace edgewise

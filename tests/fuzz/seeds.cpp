@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes the corpus as seeds for the fuzz targets, and their names as libFuzzer's -seed_inputs wants them (a
-// folder of seeds would get what a run finds, and the next run would be another): seeds FOLDER CASES.jsonl...
+// Writes the corpus as seeds for the fuzz targets, and their names as libFuzzer's -seed_inputs needs them:
+// seeds FOLDER CASES.jsonl... (libFuzzer would write its findings into a folder of seeds, and the next run
+// would be another.)
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What the programs of golden figures share: a file of one row for each thing that was computed ("what
-// figures"), rows beside those of the file, and the command line.
+// Common code of the programs of golden figures: a file with one row for each thing that was computed ("what
+// figures"), the comparison of computed rows with the file, and the command line.
 #pragma once
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,20 +23,30 @@ namespace edgewise::golden {
 /// What was computed -> its figures, as text.
 using Rows = std::map<std::string, std::string>;
 
-/// What sets one program apart from another.
+/// One program of golden figures.
 struct Program {
     std::string name;     ///< as it is called
     std::string usage;    ///< behind the name
     std::string summary;  ///< behind "3 of 40 "
     int words = 1;        ///< of a row's end that are figures
     std::function<Rows()> compute;
-    /// Whether this row's figures, as found and as in the file, are taken for the same.
-    std::function<bool(const std::string& what, const std::string& found, const std::string& expected)> alike;
-    /// Optional: a remark on two figures that are not alike.
-    std::function<std::string(const std::string& found, const std::string& expected)> remark = {};
+    double slack = 0;           ///< numbers may differ by this share
+    std::string left_out = {};  ///< rows that begin with this are not compared; empty: all are
 };
 
-/// The place of the blank before the last `words` words; npos: the row has not so many.
+/// Returns true if all words are equal, or numbers that differ by no more than the slack.
+[[nodiscard]] inline bool are_near(const std::string& found, const std::string& expected, double slack) {
+    std::istringstream ours(found), theirs(expected);
+    std::string a, b;
+    while (ours >> a) {
+        if (!(theirs >> b)) return false;
+        if (a != b && (slack == 0 || std::abs(std::stod(a) - std::stod(b)) > slack * std::stod(b)))
+            return false;
+    }
+    return !(theirs >> b);
+}
+
+/// Place of the blank before the last `words` words; npos if the row has fewer words.
 [[nodiscard]] inline std::size_t figures_at(std::string_view row, int words) {
     std::size_t at = row.size();
     for (; words > 0 && at != std::string_view::npos && at > 0; --words) at = row.rfind(' ', at - 1);
@@ -64,28 +76,30 @@ inline void write_rows(std::FILE* to, const Rows& rows) {
     return std::fclose(stream);
 }
 
-/// How many rows differ, are missing or are too many; each is named. some: the file may have more.
+/// Number of rows that differ, are missing or are too many; prints each. some: the file may have more rows.
 [[nodiscard]] inline int differences(const Program& program, const Rows& found, const Rows& expected,
                                      bool some) {
     int count = 0;
+    const auto is_left_out = [&](const std::string& what) {
+        return !program.left_out.empty() && what.starts_with(program.left_out);
+    };
     for (const auto& [what, figures] : found) {
         const auto place = expected.find(what);
-        if (place != expected.end() && program.alike(what, figures, place->second)) continue;
-        ++count;
         const bool known = place != expected.end();
-        fmt::print(stderr, "{}: {} here, {} in the file{}\n", what, figures,
-                   known ? place->second : "missing",
-                   known && program.remark ? ", " + program.remark(figures, place->second) : "");
+        if (is_left_out(what) || (known && are_near(figures, place->second, program.slack))) continue;
+        ++count;
+        fmt::print(stderr, "{}: {} here, {} in the file\n", what, figures, known ? place->second : "missing");
     }
     for (const auto& [what, figures] : expected) {
-        if (some || found.count(what)) continue;
+        if (some || found.count(what) || is_left_out(what)) continue;
         ++count;
         fmt::print(stderr, "{}: in the file, but not in this program\n", what);
     }
     return count;
 }
 
-/// Compares with the file, or writes it. The exit code: 0 alike, 1 not, 2 wrong usage.
+/// Compares with the file, or writes it. Returns the exit code: 0 no difference, 1 differences, 2 wrong
+/// usage.
 [[nodiscard]] inline int run(const Program& program, std::vector<std::string> arguments) {
     const bool some = std::erase(arguments, "--some") > 0, updates = std::erase(arguments, "--update") > 0;
     if (arguments.size() != 1 || arguments[0].starts_with("--") || (some && updates)) {
@@ -100,7 +114,7 @@ inline void write_rows(std::FILE* to, const Rows& rows) {
     return count > 0 ? 1 : 0;
 }
 
-/// What main returns: of body, or 2 with one line that says what could not be done.
+/// Exit code of main: that of the body, or 2 with one line that says what failed.
 [[nodiscard]] inline int run_or_say_why(const Program& program, const std::function<int()>& body) {
     try {
         return body();

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# check_contraction.sh OBJDUMP PROGRAM: no packed multiply-add that the compiler fused. A fused one rounds once where every
-# other build rounds twice: another answer on another machine. What we fuse ourselves is the error of a product
-# (geometry/double_double.hpp), a b - [a b], and may be packed too: its subtrahend is a product of one of its factors.
+# check_contraction.sh OBJDUMP PROGRAM: finds packed multiply-adds that the compiler fused. A fused multiply-add rounds once,
+# other builds round twice, so answers would differ between machines. The library itself only fuses the error of a product
+# (geometry/double_double.hpp), a b - [a b], which may be packed too: its subtrahend is a product of one of its factors.
 set -eu
 
 "$1" --disassemble --no-show-raw-insn "$2" | awk -F'\t' '
@@ -12,7 +12,7 @@ $2 !~ /^v(mul|fn?m(add|sub)[a-z]*[0-9]+)p[sd] / { next }
 {
     count = split($2, word, / +/)
     operands = word[2]
-    # Commas within an address divide no operands.
+    # Commas within an address do not separate operands.
     while (match(operands, /\([^()]*,[^()]*\)/)) {
         address = substr(operands, RSTART, RLENGTH)
         gsub(/,/, ";", address)
@@ -28,7 +28,7 @@ word[1] ~ /^vmul/ {
     next
 }
 {
-    # The three orders of operands: which is added, which is a factor for sure.
+    # The three orders of operands: which operand is added, and which is certainly a factor.
     added = word[1] ~ /132/ ? operand[2] : word[1] ~ /213/ ? operand[1] : operand[3]
     first = word[1] ~ /213/ ? operand[2] : operand[1]
     second = word[1] ~ /231/ ? operand[2] : operand[3]

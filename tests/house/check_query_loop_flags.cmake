@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Query loops are compiled with the options that are meant for them, not with what an option behind them takes back.
-# Variables: COMMANDS (compile_commands.json), OPTION (that must come last), OPPOSITE.
+# Checks that query loops are compiled with their options, and that no later option reverses them.
+# Variables: COMMANDS (compile_commands.json), OPTION (which must come last), OPPOSITE.
 file(STRINGS ${COMMANDS} commands REGEX "\"command\".*tool_table_types[.]dir/(registry/.*_f64|Unity/unity_)")
 list(LENGTH commands count)
 if(count EQUAL 0)
@@ -11,4 +11,4 @@ foreach(command IN LISTS commands)
         message(FATAL_ERROR "compiled without ${OPTION}, or with ${OPPOSITE} behind it: ${command}")
     endif()
 endforeach()
-message(STATUS "${count} units of table types: ${OPTION} is the last word")
+message(STATUS "${count} units of table types: ${OPTION} comes last")

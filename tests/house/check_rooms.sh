@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The picture of the rooms is the tree's: check_rooms.sh ROOT SCRATCH
-# Also that the check can fail: on a page with another picture, on rooms that include each other in a circle, on 500 lines
-# more, and on more lines than are agreed on.
+# Checks the picture of the rooms against the tree: check_rooms.sh ROOT SCRATCH
+# Also checks that the check can fail: with another picture, with rooms that include each other in a circle, with 500 lines
+# more, and with more lines than agreed.
 set -eu
 
 root=$1

@@ -7,22 +7,17 @@
 #include <regex>
 #include <set>
 
-#include "dependency_rule.hpp"
-#include "file_rules.hpp"
-#include "function_spans.hpp"
-#include "house_paths.hpp"
-#include "std_headers.hpp"
-#include "text_rules.hpp"
+#include "house.hpp"
 
 namespace edgewise::house {
 namespace {
 
-const std::vector<SourceFile>& tree() {
-    static const std::vector<SourceFile> files = read_tree(project_root);
+const Files& tree() {
+    static const Files files = read_tree(PROJECT_ROOT);
     return files;
 }
 
-/// A check over nothing passes: every other test leans on this one.
+/// A check of no files passes, so every other test needs this one.
 TEST(Tree, IsTheProject) {
     const auto has = [](const char* path) {
         return std::any_of(tree().begin(), tree().end(), [&](const SourceFile& f) { return f.path == path; });
@@ -32,9 +27,6 @@ TEST(Tree, IsTheProject) {
         EXPECT_TRUE(has(path)) << path;
     }
     EXPECT_GT(std::count_if(tree().begin(), tree().end(), is_cpp), 100);
-    std::size_t functions = 0;
-    for (const SourceFile& file : tree()) functions += is_cpp(file) ? function_spans(file.lines).size() : 0;
-    EXPECT_GT(functions, 500);
 }
 
 TEST(Dependencies, FollowTheRule) { EXPECT_EQ(to_text(forbidden_includes(tree())), ""); }
@@ -46,8 +38,6 @@ TEST(Files, BearTheLicence) { EXPECT_EQ(to_text(missing_licences(tree())), ""); 
 TEST(Files, AreShort) { EXPECT_EQ(to_text(long_files(tree())), ""); }
 
 TEST(Types, AreNamedOnce) { EXPECT_EQ(to_text(types_named_twice(tree())), ""); }
-
-TEST(Classes, AreShort) { EXPECT_EQ(to_text(long_classes(tree())), ""); }
 
 TEST(Functions, AreShort) { EXPECT_EQ(to_text(long_functions(tree())), ""); }
 
@@ -61,7 +51,7 @@ TEST(Comments, NameFilesThatAreThere) { EXPECT_EQ(to_text(dead_mentions(tree()))
 
 TEST(Readme, IsShort) { EXPECT_EQ(to_text(long_readme(tree())), ""); }
 
-/// The other half of the manifests' promise: a file and a line. A file without its line would be dead.
+/// A layout or a probe is a file and a line of its manifest. A file without its line would never be compiled.
 TEST(Manifests, NameEveryFile) {
     for (const char* room : {"layouts", "probes"}) {
         std::set<std::string> named, there;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Compiles UNIT, which must fail with one error: the one that it names after "// error: ".
+# Compiles UNIT, which must fail with exactly one error: the text after "// error: " in UNIT.
 file(READ ${UNIT} text)
 string(REGEX MATCH "// error: ([^\n]*)" wanted "${text}")
 set(wanted ${CMAKE_MATCH_1})
@@ -7,6 +7,6 @@ execute_process(COMMAND ${COMMAND} ${UNIT} RESULT_VARIABLE code OUTPUT_VARIABLE 
 string(REGEX MATCHALL "error: [^\n]*" errors "${said}")
 list(LENGTH errors count)
 if(code EQUAL 0 OR NOT count EQUAL 1 OR NOT errors MATCHES "${wanted}")
-    message(FATAL_ERROR "wants one error, '${wanted}'; got ${count}:\n${said}")
+    message(FATAL_ERROR "expected one error, '${wanted}'; got ${count}:\n${said}")
 endif()
 message(STATUS "${errors}")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "source_tree.hpp"
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+
+#include "house.hpp"
 
 namespace edgewise::house {
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As .gitignore says, and git's own.
+/// True of what .gitignore names, and of git's own folder.
 bool is_left_behind(const std::string& path) {
     return path == "build" || path == ".git" || path == "reports/out" || path.ends_with(".deb");
 }
@@ -32,8 +32,8 @@ SourceFile source_file(std::string path, const std::string& text) {
     return file;
 }
 
-std::vector<SourceFile> read_tree(const fs::path& root) {
-    std::vector<SourceFile> files;
+Files read_tree(const fs::path& root) {
+    Files files;
     for (auto at = fs::recursive_directory_iterator(root); at != fs::recursive_directory_iterator(); ++at) {
         const std::string path = fs::relative(at->path(), root).generic_string();
         if (is_left_behind(path)) {
@@ -48,7 +48,7 @@ std::vector<SourceFile> read_tree(const fs::path& root) {
 
 bool is_cpp(const SourceFile& file) { return file.path.ends_with(".hpp") || file.path.ends_with(".cpp"); }
 
-std::string to_text(const std::vector<Violation>& violations) {
+std::string to_text(const Violations& violations) {
     std::ostringstream text;
     for (const Violation& v : violations) text << v.file << ":" << v.line << ": " << v.what << "\n";
     return text.str();

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "std_headers.hpp"
-
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
-#include "function_spans.hpp"
+#include "house.hpp"
 
 namespace edgewise::house {
 
 namespace {
 
-/// What the exported headers use, by header.
+/// Standard names that exported headers use, by header.
 const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"algorithm",
      "all_of any_of clamp copy count fill fill_n find find_if lower_bound max max_element min min_element minmax none_of pop_heap push_heap reverse sort stable_sort transform unique upper_bound"},
     {"array", "array"},
     {"atomic", "atomic memory_order_relaxed"},
     {"bit", "bit_cast bit_width countl_zero countr_one countr_zero endian has_single_bit popcount"},
+    {"cassert", "assert"},
     {"charconv", "chars_format from_chars to_chars"},
     {"cmath", "abs ceil copysign fabs floor fma frexp hypot ilogb isfinite isnan ldexp nextafter sqrt"},
     {"concepts", "convertible_to floating_point integral regular same_as unsigned_integral"},
@@ -61,58 +60,42 @@ std::map<std::string, std::string> header_of_name() {
 }
 
 bool is_exported(const SourceFile& file) {
-    for (const char* room :
-         {"src/edgewise/geometry/", "src/edgewise/table/", "src/edgewise/layout_parts/",
-          "src/edgewise/algorithms/", "layouts/", "src/edgewise/measure/cache/", "src/edgewise/measure/lock/",
-          "src/edgewise/measure/record/", "src/edgewise/measure/touch/", "src/edgewise/measure/traces/",
-          "src/edgewise/measure/expected.hpp"}) {
-        if (file.path.starts_with(room)) return file.path.ends_with(".hpp");
-    }
-    return false;
+    static const std::regex exported(
+        "(src/edgewise/(geometry|table|layout_parts|algorithms|measure/(cache|lock|record|touch|traces))|layouts)"
+        "/.*[.]hpp|src/edgewise/measure/expected[.]hpp");
+    return std::regex_match(file.path, exported);
 }
 
-std::set<std::string> included_by(const SourceFile& file) {
-    static const std::regex directive(R"(^#include <([^>]+)>.*)");
-    std::set<std::string> found;
-    for (const std::string& line : file.lines) {
-        if (std::smatch match; std::regex_match(line, match, directive)) found.insert(match[1]);
-    }
-    return found;
-}
-
-/// The standard names of a line of bare code, `assert` among them.
+/// Standard names in the code of a line, `assert` among them.
 std::vector<std::string> names_in(const std::string& line) {
-    static const std::regex name(R"(\bstd::(\w+)|\b(assert)\()");
+    static const std::regex text(R"("(\\.|[^"\\])*"|//.*)"), name(R"(\bstd::(\w+)|\b(assert)\()");
+    const std::string code = std::regex_replace(line, text, "");
     std::vector<std::string> found;
-    for (std::sregex_iterator at(line.begin(), line.end(), name), end; at != end; ++at)
+    for (std::sregex_iterator at(code.begin(), code.end(), name), end; at != end; ++at)
         found.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[2].str());
     return found;
 }
 
 }  // namespace
 
-std::vector<Violation> missing_std_headers(const std::vector<SourceFile>& files) {
-    static const std::map<std::string, std::string> header_of = [] {
-        auto all = header_of_name();
-        all["assert"] = "cassert";
-        return all;
-    }();
-    std::vector<Violation> found;
+Violations missing_std_headers(const Files& files) {
+    static const std::regex directive(R"(^#include <([^>]+)>.*)");
+    static const std::map<std::string, std::string> header_of = header_of_name();
+    Violations found;
     for (const SourceFile& file : files) {
         if (!is_exported(file)) continue;
-        std::set<std::string> there = included_by(file);
-        std::istringstream code(bare_code(file.lines));
-        std::size_t number = 0;
-        for (std::string line; std::getline(code, line);) {
-            ++number;
-            for (const std::string& name : names_in(line)) {
+        std::set<std::string> there;
+        std::smatch match;
+        for (const std::string& line : file.lines)
+            if (std::regex_match(line, match, directive)) there.insert(match[1]);
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            for (const std::string& name : names_in(file.lines[i])) {
                 const auto header = header_of.find(name);
-                if (header == header_of.end()) {
+                if (header == header_of.end())
                     found.push_back(
-                        {file.path, number, "std::" + name + " is not in the table of std_headers.cpp"});
-                } else if (there.insert(header->second).second) {
-                    found.push_back({file.path, number, name + " needs #include <" + header->second + ">"});
-                }
+                        {file.path, i + 1, "std::" + name + " is not in the table of std_headers.cpp"});
+                else if (there.insert(header->second).second)
+                    found.push_back({file.path, i + 1, name + " needs #include <" + header->second + ">"});
             }
         }
     }

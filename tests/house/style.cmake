@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# clang-format and clang-tidy, both of version 14: another version formats otherwise and knows other checks.
+# clang-format and clang-tidy, both of version 14: other versions format differently and have other checks.
 function(find_clang_tool TOOL RESULT)
     find_program(${RESULT} NAMES ${TOOL}-14 ${TOOL})
     if(${RESULT})
@@ -14,12 +14,13 @@ endfunction()
 
 find_clang_tool(clang-format HOUSE_CLANG_FORMAT)
 if(HOUSE_CLANG_FORMAT)
-    add_test(NAME house.format COMMAND ${CMAKE_COMMAND} -D TOOL=${HOUSE_CLANG_FORMAT} -D ROOT=${PROJECT_SOURCE_DIR}
-        -P ${CMAKE_CURRENT_SOURCE_DIR}/check_format.cmake)
+    add_test(NAME house.format COMMAND sh -c
+        "find src layouts probes reports tests -name '*.[ch]pp' | xargs ${HOUSE_CLANG_FORMAT} --style=file --dry-run -Werror"
+        WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(house.format PROPERTIES TIMEOUT 120)
 endif()
 
-# A few units that between them include most of the project; the whole of it takes many minutes.
+# A few units that together include most of the project, because all units take many minutes.
 find_clang_tool(clang-tidy HOUSE_CLANG_TIDY)
 if(HOUSE_CLANG_TIDY)
     set(units ${PROJECT_SOURCE_DIR}/src/edgewise/geometry/hull.cpp ${PROJECT_SOURCE_DIR}/src/edgewise/truth/exact_distance.cpp
@@ -33,13 +34,13 @@ if(HOUSE_CLANG_TIDY)
     set_tests_properties(house.tidy PROPERTIES TIMEOUT 600)
 endif()
 
-# The opposite is among the options of all targets.
+# The opposite option is among the options of all targets.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     add_test(NAME house.query_loop_flags COMMAND ${CMAKE_COMMAND} -D COMMANDS=${PROJECT_BINARY_DIR}/compile_commands.json
         -D OPTION=-ftree-slp-vectorize -D OPPOSITE=-fno-tree-slp-vectorize -P ${CMAKE_CURRENT_SOURCE_DIR}/check_query_loop_flags.cmake)
 endif()
 
-# GCC may fuse what -ffp-contract=off keeps separate (cmake/options.cmake).
+# GCC may fuse operations that -ffp-contract=off keeps separate (cmake/options.cmake).
 find_program(HOUSE_OBJDUMP objdump)
 if(HOUSE_OBJDUMP AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     add_test(NAME house.no_contraction COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/check_contraction.sh ${HOUSE_OBJDUMP}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The library's headers warn of nothing where an engine includes them by -I, as part of its own tree: every layout with
-# every algorithm, checked but not compiled to code, with the warnings that engines turn into errors. With clang++ too,
-# where there is one: it knows other conversions.
+# The library's headers give no warnings if an engine includes them by -I, as part of its own tree. The test checks the syntax
+# of every layout with every algorithm, with the warnings that engines turn into errors. It also uses clang++ if there is
+# one, because it finds other conversions.
 file(GLOB layouts CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/layouts ${PROJECT_SOURCE_DIR}/layouts/*.hpp)
 list(LENGTH layouts count)
 if(count LESS 20)
@@ -26,7 +26,7 @@ foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
     add_test(NAME house.no_warnings_of_${name} COMMAND ${compiler} -std=c++20 -fsyntax-only -I${EDGEWISE_INCLUDE}
         -isystem ${eigen} -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wno-unknown-attributes -Wno-psabi -Werror ${unit})
     set_tests_properties(house.no_warnings_of_${name} PROPERTIES TIMEOUT 300)
-    # What a program must not do is one error, in the library's own words.
+    # Misuse of the library must give exactly one error, with the library's message.
     foreach(misuse mixed_precisions fast_math)
         set(flags)
         if(misuse STREQUAL fast_math)

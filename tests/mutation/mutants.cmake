@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# NAME, file under src/edgewise/, the code, the bug, the cases that must see it, the test's sources.
+# NAME, file under src/edgewise/, the code, the bug, the cases that must find it, the test's sources.
 
 # Controls: no bug, and the cases must pass. One in a header, one in a source.
 edgewise_mutant(control_header algorithms/vclip/vertex_face.hpp [[if (highest <= 0) return Step::touching;]] [[if (highest <= 0) return Step::touching;]]
@@ -205,7 +205,7 @@ edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (su
 edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
 
-# The guard on speed
+# Speed against a baseline
 edgewise_mutant(the_median_alone_fails measure/record/comparison.cpp [[if (is.low > was.high * limit)]] [[if (is.value > was.high * limit)]]
     Record.* ${unit}/measure/record_test.cpp)
 edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/speed_record.cpp [[row.low = row.high = row.value;]] [[row.low = row.value;]]
@@ -246,7 +246,7 @@ edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where buil
 edgewise_mutant(failed_writes_stay store/sqlite.cpp [["rollback", nullptr]] [["commit", nullptr]]
     StoreTest.* ${unit}/store/store_test.cpp)
 
-# Layouts of the field
+# Layouts of other libraries
 edgewise_mutant(block_climb_takes_another_lanes_point algorithms/support.hpp [[best = {block.vertex(lane), block.point(lane), heights[lane]};]]
     [[best = {block.vertex(lane), block.point(7 - lane), heights[lane]};]] FieldLayouts.Climb* ${unit}/layout_parts/field_layouts_test.cpp)
 edgewise_mutant(long_rings_end_at_their_first_block layouts/ring_block.hpp [[return vertex & more ? at(vertex & ~more, 0) : Place{block, lane, vertex};]]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Adapters of libraries that no package brings, on stubs that answer with the distance of the bodies' centres
-// (twice that where they find their cache warm): vertices, faces, poses, the order of the two bodies, and
-// caches arrive as they are meant to.
+// Adapters of libraries without a Debian package, on stubs that answer with the distance of the bodies'
+// centres (twice that distance if their cache is warm). Checks that vertices, faces, poses, the order of the
+// two bodies, and caches arrive.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@
 namespace edgewise::peers {
 namespace {
 
-/// A prism whose centre is the mean of its vertices and the middle of its box; its coordinates are numbers in
-/// single.
+/// A prism with its centre at the mean of its vertices and in the middle of its box. Single precision holds
+/// its coordinates exactly.
 Polyhedron prism(int sides, double height, const Vec3d& centre) {
     std::vector<Vec3d> points;
     for (int i = 0; i < sides / 2; ++i) {
@@ -47,7 +47,7 @@ const std::array<Vec3d, 3> centres = {Vec3d(0.5, -1, 2), Vec3d(-3, 0.25, 1), Vec
 const std::array<Polyhedron, 3> bodies = {prism(6, 0.5, centres[0]), prism(4, 2, centres[1]),
                                           prism(150, 0.75, centres[2])};
 
-/// Two pairs; the second is of larger bodies than an index of 8 bits names.
+/// Two pairs; the second has a body with more vertices than an index of 8 bits can name.
 const std::vector<PeerQuery> queries = {
     {0, 1, 0, pose(0.7, {1, 2, 3}, {4, -2, 1}), pose(2.1, {-1, 0.5, 2}, {-5, 1, 3})},
     {2, 0, 1, pose(1.3, {3, -1, 1}, {2, 6, -4}), pose(-0.4, {0, 1, 1}, {-1, -2, 5})},
@@ -72,7 +72,7 @@ struct Adapter {
     }
 };
 
-/// Every module that was built, with the shapes made.
+/// All modules that were built, with their shapes.
 std::vector<Adapter> adapters() {
     std::vector<Adapter> result;
     for (const auto& entry : std::filesystem::directory_iterator(stubbed_peers)) {

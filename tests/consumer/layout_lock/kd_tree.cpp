@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A tree that Edgewise knows nothing of, and the lock of its layout. With PlainReads it would be timed.
+// A user's own tree, and the lock of its layout. To time it, use PlainReads.
 #include <algorithm>
 #include <array>
 #include <edgewise/measure/cache/machine_choice.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine's frame: many pairs of bodies asked at once, in two threads. parallel_batch.hpp is the one header
-// that wants TBB, and the program that includes it links it.
+// An engine's frame: many pairs of bodies asked at once, in two threads. Only parallel_batch.hpp
+// needs TBB; a program that includes it links TBB itself.
 #include <cstdio>
 #include <edgewise/algorithms/parallel_batch.hpp>
 #include <edgewise/algorithms/vclip.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine's own shape in a query: the points lie where the engine keeps them, no table is built and nothing
-// is copied. GJK asks a shape for five things, two types and three functions (table/contract.hpp); V-Clip
-// needs a layout, which has edges, faces and their planes.
+// An engine's own shape in a query: the points stay in the engine's memory; no table is built and nothing is
+// copied. GJK needs two types and three functions of a shape (table/contract.hpp). V-Clip needs a layout with
+// edges, faces and their planes.
 #include <array>
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// queries VERTICES POSES: what a user's program asks, for the sanitizers to look at. Answers of all table
-// types must agree, so that nothing is optimised away.
+// queries VERTICES POSES: queries of a user's program, to run under sanitizers. Compares the answers of all
+// table types, so that nothing is optimised away.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace edgewise;
 
-/// Numbers in [-1, 1), the same for the same seed.
+/// Pseudo-random numbers in [-1, 1), the same for the same seed.
 class Numbers {
   public:
     explicit Numbers(std::uint64_t seed) : state_(seed) {}

@@ -29,6 +29,7 @@ namespace {
 
 Texts all_texts() {
     Texts texts;
+    add_drawings(texts);
     add_listings(texts);
     add_report(texts);
     add_verdicts(texts);

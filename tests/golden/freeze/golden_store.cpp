@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "golden_store.hpp"
-
 #include <map>
 #include <utility>
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "cli_paths.hpp"
+#include "edgewise/bench/drawings.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "frozen.hpp"
 
 namespace edgewise::golden {
@@ -90,6 +92,13 @@ std::string all_bytes() {
 }
 
 }  // namespace
+
+void add_drawings(Texts& texts) {
+    constexpr const char* shape = "tetra4";
+    for (const std::string name : {"aos_f64", "lean_f32", "points_soa_f64"})
+        texts[fmt::format("{}_{}.svg", name, shape)] = bench::draw_layout(
+            *bench::select_table_types({&name, 1}).front(), shape, *scene::make_shape(shape));
+}
 
 void add_listings(Texts& texts) {
     texts["help.txt"] = all_help();

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "edgewise/reports/page/report.hpp"
 #include "frozen.hpp"
-#include "golden_store.hpp"
 
 namespace edgewise::golden {
 
@@ -16,44 +13,14 @@ namespace {
 
 using nlohmann::json;
 
-std::string decoded_base64(std::string_view text) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    unsigned bits = 0, count = 0;
-    for (const char c : text) {
-        if (c == '=') break;
-        bits = bits << 6 | static_cast<unsigned>(digits.find(c));
-        if ((count += 6) < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 255U);
-    }
-    return bytes;
-}
-
-std::string unpacked(std::string bytes) {
-    z_stream stream{};
-    if (inflateInit2(&stream, 15 + 16) != Z_OK) throw std::runtime_error("zlib cannot start");
-    stream.next_in = reinterpret_cast<Bytef*>(bytes.data());
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    std::string text;
-    int code = Z_OK;
-    while (code == Z_OK) {
-        std::string part(1 << 16, '\0');
-        stream.next_out = reinterpret_cast<Bytef*>(part.data());
-        stream.avail_out = static_cast<uInt>(part.size());
-        code = inflate(&stream, Z_NO_FLUSH);
-        text += part.substr(0, part.size() - stream.avail_out);
-    }
-    inflateEnd(&stream);
-    if (code != Z_STREAM_END) throw std::runtime_error("the page's packed data is not whole");
-    return text;
-}
-
-/// Data of this name that the page carries for its scripts.
+/// Data of this name that the page carries for its scripts: JSON, by gzip and in base64.
 json packed(const std::string& page, const std::string& name) {
     const std::string mark = "id=\"packed-" + name + "\">";
     const std::size_t at = page.find(mark) + mark.size();
-    return json::parse(unpacked(decoded_base64(page.substr(at, page.find('<', at) - at))));
+    const cli_test::Folder folder;
+    folder.write("packed", page.substr(at, page.find('<', at) - at));
+    return json::parse(
+        cli_test::Process("/bin/sh", {"-c", "base64 -di packed | gzip -dc"}, folder).wait().out);
 }
 
 /// Replaces each stretch from `open` to the end of `close` by its hash.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 #include "corpus.hpp"
 #include "edgewise/bench/registry.hpp"
@@ -15,23 +13,18 @@ namespace edgewise::golden {
 
 namespace {
 
-/// Every precision, and every way to store a body.
-constexpr const char* tables[] = {"aos_f64",  "aos_f32",        "aos_mixed",
-                                  "lean_f64", "points_soa_f32", "quantised_f32"};
-
 struct Subject {
     const bench::TableType& type;
     std::string algorithm;
     std::unique_ptr<bench::Runner> runner;
 };
 
+/// Every precision, and every way to store a body.
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
-    for (const std::string name : tables) {
-        const auto types = bench::table_types();
-        const auto type =
-            std::find_if(types.begin(), types.end(), [&](const auto& t) { return t.name == name; });
-        if (type == types.end()) throw std::runtime_error("no table type " + name + " in this program");
+    for (const std::string name :
+         {"aos_f64", "aos_f32", "aos_mixed", "lean_f64", "points_soa_f32", "quantised_f32"}) {
+        const bench::TableType* type = bench::select_table_types({&name, 1}).front();
         for (const std::string& algorithm : type->algorithms)
             all.push_back({*type, algorithm, type->make_runner(algorithm)});
     }

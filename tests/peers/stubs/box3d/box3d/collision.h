@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of Box3D's interface as its adapter uses, written from how it is called. Its distance is that of
-// the means of the points, and twice that where it finds its cache warm.
+// The part of Box3D's interface that its adapter uses, written from the calls. The distance is that of the means of
+// the points, and twice that distance if its cache is warm.
 #pragma once
 
 #include <cmath>
@@ -60,7 +60,7 @@ inline b3Pos b3ToPos(b3Vec3 v) { return v; }
 inline b3Pos b3TransformWorldPoint(b3WorldTransform t, b3Vec3 p) {
     return b3Add(b3RotateVector(t.q, p), t.p);
 }
-/// The pose of B in A's frame.
+/// Pose of B in A's frame.
 inline b3Transform b3InvMulWorldTransforms(b3WorldTransform a, b3WorldTransform b) {
     const b3Quat back = b3Conjugate(a.q);
     return {b3RotateVector(back, b3Sub(b.p, a.p)), b3MulQuat(back, b.q)};

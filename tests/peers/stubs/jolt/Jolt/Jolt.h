@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of Jolt's vectors and matrices as its adapter uses, written from how they are called.
+// The part of Jolt's vectors and matrices that its adapter uses, written from the calls.
 #pragma once
 
 #include <cmath>

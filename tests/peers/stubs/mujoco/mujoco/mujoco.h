@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of MuJoCo's model and state as its adapter uses, written from how they are called.
+// The part of MuJoCo's model and state that its adapter uses, written from the calls.
 #pragma once
 
 using mjtNum = double;

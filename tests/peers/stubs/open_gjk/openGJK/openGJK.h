@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of openGJK's interface as its adapter uses, written from how it is called. Its distance is that of
-// the means of the vertices.
+// The part of openGJK's interface that its adapter uses, written from the calls. The distance is that of the means of
+// the vertices.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of PhysX's interface as its adapter uses, written from how it is called. Its distance is that of
-// the centres of the bodies' boxes in their own frames.
+// The part of PhysX's interface that its adapter uses, written from the calls. The distance is that of the centres of
+// the bodies' boxes in their own frames.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Coal's solver, written from how it is called. Its distance is that of the centroids of the bodies' volumes,
-// so that faces have to be right too, and twice that where it starts from what it left.
+// Coal's solver, written from the calls. The distance is that of the centroids of the bodies' volumes, so that faces
+// must be right too. It is twice that distance if the query starts from its last result.
 #pragma once
 
 #include <coal/shape/convex.h>
@@ -43,7 +43,7 @@ struct GJKSolver {
     }
 
   private:
-    /// Of the volume, as the sum of tetrahedra above its faces: seen from outside they turn left.
+    /// Centroid of the volume, a sum of tetrahedra over its faces, which turn left seen from outside.
     static Vec3s centroid_of(const Convex<Triangle>& body) {
         Vec3s sum = Vec3s::Zero();
         double volume = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// As much of Coal's types as its adapter uses, written from how they are called.
+// The part of Coal's types that its adapter uses, written from the calls.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Jolt's supports that its adapter uses, written from how they are called.
+// Jolt's supports that its adapter uses, written from the calls.
 #pragma once
 
 #include <Jolt/Jolt.h>

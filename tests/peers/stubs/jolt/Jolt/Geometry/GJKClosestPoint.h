@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Jolt's query, written from how it is called. Its distance is that of the centres of the bodies' boxes, and
-// twice that where it starts along the axis that it left.
+// Jolt's query, written from the calls. The distance is that of the centres of the bodies' boxes, and twice that
+// distance if the query starts along the last axis.
 #pragma once
 
 #include <Jolt/Jolt.h>
