@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The manifests: one line a layout (layouts/CMakeLists.txt), one line a probe (probes/CMakeLists.txt). From each line
-# come generated units, one a table type (a layout's compile as one), so that builds stay parallel and nothing else
-# names a layout.
+# The manifests: one line a layout (layouts/CMakeLists.txt), a probe (probes/CMakeLists.txt) or a study
+# (src/edgewise/studies/CMakeLists.txt). From each line come generated units, one a table type (a layout's compile as
+# one), so that builds stay parallel and nothing else names a layout.
 
 # edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [SUPPORT_ONLY]): NAME is the file's stem, the type and the
 # command-line name. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
@@ -54,12 +54,35 @@ function(edgewise_probe PROBE)
     endif()
 endfunction()
 
+# edgewise_study(NAME): the folder NAME of the room studies has a source that defines NAME_study().
+function(edgewise_study STUDY)
+    set_property(GLOBAL APPEND PROPERTY EDGEWISE_STUDIES ${STUDY})
+endfunction()
+
+# edgewise_study_list(FILE STUDY...): writes the unit that lists these studies, in this order.
+function(edgewise_study_list FILE)
+    foreach(study IN LISTS ARGN)
+        string(APPEND STUDY_DECLARATIONS "sweep::Study ${study}_study();\n")
+        string(APPEND STUDY_CALLS "studies::${study}_study(), ")
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/study_list.cpp.in ${FILE} @ONLY)
+endfunction()
+
+# edgewise_probe_list(FILE PROBE...): writes the unit that lists these probes, in this order.
+function(edgewise_probe_list FILE)
+    foreach(probe IN LISTS ARGN)
+        string(APPEND PROBE_INCLUDES "#include \"edgewise/probes/${probe}.hpp\"\n")
+        string(APPEND PROBE_ENTRIES "        probe_of<probes::${probe}>(\"${probe}\"),\n")
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/probe_list.cpp.in ${FILE} @ONLY)
+endfunction()
+
 # edgewise_addition(NAME): the folder reports/NAME adds to the report and to the program what NAME_addition() says.
 function(edgewise_addition NAME)
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_ADDITIONS ${NAME})
 endfunction()
 
-# To be called when both manifests are read: no layout that was asked for is unknown; the list of all probes.
+# To be called when the manifests are read: no layout that was asked for is unknown; the lists of all probes and studies.
 function(edgewise_write_registry)
     get_property(all GLOBAL PROPERTY EDGEWISE_ALL_LAYOUTS)
     foreach(layout IN LISTS EDGEWISE_LAYOUTS)
@@ -68,11 +91,7 @@ function(edgewise_write_registry)
         endif()
     endforeach()
     get_property(probes GLOBAL PROPERTY EDGEWISE_PROBES)
-    foreach(probe IN LISTS probes)
-        string(APPEND PROBE_INCLUDES "#include \"edgewise/probes/${probe}.hpp\"\n")
-        string(APPEND PROBE_ENTRIES "        probe_of<probes::${probe}>(\"${probe}\"),\n")
-    endforeach()
-    set(unit ${PROJECT_BINARY_DIR}/registry/probe_list.cpp)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/probe_list.cpp.in ${unit} @ONLY)
-    set_property(GLOBAL APPEND PROPERTY EDGEWISE_PROBE_UNITS ${unit})
+    edgewise_probe_list(${PROJECT_BINARY_DIR}/registry/probe_list.cpp ${probes})
+    get_property(studies GLOBAL PROPERTY EDGEWISE_STUDIES)
+    edgewise_study_list(${PROJECT_BINARY_DIR}/registry/study_list.cpp ${studies})
 endfunction()

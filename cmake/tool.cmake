@@ -54,13 +54,14 @@ if(EDGEWISE_SANITIZE)
 endif()
 
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
+set(lists ${PROJECT_BINARY_DIR}/registry/probe_list.cpp ${PROJECT_BINARY_DIR}/registry/study_list.cpp)
 # Nothing of the tool is timed here, but a campaign's rate is that of its scans: vectors as wide as this machine has them.
 if(EDGEWISE_TUNE)
     set_source_files_properties(src/edgewise/truth/filter/scanned_body.cpp PROPERTIES
         COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
 add_library(edgewise_core STATIC ${steering}
-    ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
+    ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
@@ -71,11 +72,11 @@ if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
-# What mutants (tests/mutation) replace is linked by itself.
-edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
+# What mutants (tests/mutation) and tests with probes and studies of their own replace is linked by itself.
+edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind_lines.cpp src/edgewise/scene/motion.cpp
-    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/stability_tally.cpp
-    src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/proof_floor.cpp
+    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort/effort.cpp src/edgewise/studies/stability/stability_tally.cpp
+    src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/effort/proof_floor.cpp
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp
     src/edgewise/studies/fields/best_groups.cpp src/edgewise/studies/fields/co_access.cpp
     src/edgewise/studies/fields/field_places.cpp src/edgewise/studies/fields/verdicts.cpp

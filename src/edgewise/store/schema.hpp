@@ -19,7 +19,7 @@ inline constexpr const char* drawing_key = "drawing ";
 inline constexpr const char* layout_key = "layout ";
 
 /// Likewise this and a shape's name: the body whose heat is shown, and this and a cell's hash: how often its
-/// scene reads each feature of it, both as JSON (sweep/body_heat.hpp).
+/// scene reads each feature of it, both as JSON (sweep/cell_run.hpp).
 inline constexpr const char *body_key = "body ", *heat_key = "heat ";
 
 /// Likewise this and a scene file's name: its text, as JSON in one line; and this and its name: its path.
@@ -42,6 +42,9 @@ inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 /// This and the name of a comparison, of a group of a sweep or of another run: the seconds that it took when
 /// it last ran, by which parts are weighed and what is left of a sweep is estimated.
 inline constexpr const char* took_key = "took ";
+
+/// This and a study's name: the title, the text and the columns of its chapter as JSON (sweep/study.hpp).
+inline constexpr const char* study_key = "study ";
 
 /// schema.sql: creates what is not there.
 extern const char* const store_schema;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scene files that would go by one name are refused before anything is measured, both named.
-#include "edgewise/sweep/scene_names.hpp"
+#include "edgewise/sweep/work.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures about the work of queries as Callgrind counts it and traces tell it (studies/effort.hpp): of our
-// table types and of other libraries, per query over all queries, per step, and over a floor.
+// Figures about the work of queries as Callgrind counts it and traces tell it (studies/effort/effort.hpp): of
+// our table types and of other libraries, per query over all queries, per step, and over a floor.
 #pragma once
 
 #include "edgewise/store/vocabulary/figure_info.hpp"

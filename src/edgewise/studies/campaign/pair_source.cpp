@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/studies/campaign/block_seed.hpp"
-#include "edgewise/studies/campaign/near_poses.hpp"
-#include "edgewise/studies/campaign/random_poses.hpp"
+#include "edgewise/studies/campaign/poses.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies::campaign {
