@@ -2,6 +2,7 @@
 #include "edgewise/studies/single_cell.hpp"
 
 #include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"

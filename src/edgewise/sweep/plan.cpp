@@ -41,7 +41,7 @@ class Members {
         known_.emplace_back(name);
         if (!json_.contains(name)) return *this;
         nlohmann::json number = json_.at(name);
-        if (number.is_boolean() && range.most == 1) number = number.get<bool>() ? 1 : 0;
+        if (number.is_boolean() && range.most == 1) number = std::uint64_t{number.get<bool>()};
         const auto value = input::count_from(number, range);
         if (!value) throw std::invalid_argument(fmt::format("{} = {}", name, value.error));
         to = static_cast<Whole>(*value);

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -78,11 +79,7 @@ TEST(ExpectedWork, SharesTracesAmongProcessors) {
     EXPECT_EQ(two.of(Step::verify), four.of(Step::verify));
 }
 
-}  // namespace
-
 // The time that is said to be left against the truth, over recorded sweeps, and the rules of when it is said.
-
-namespace {
 
 /// A step of a group, or a row of a later run.
 struct Done {

@@ -2,6 +2,7 @@
 #include "edgewise/studies/advise/screen.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 
 #include "edgewise/measure/stopwatch.hpp"

@@ -2,6 +2,7 @@
 #include "edgewise/studies/campaign/run.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 #include <stdexcept>

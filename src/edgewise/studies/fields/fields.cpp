@@ -2,6 +2,7 @@
 #include "edgewise/studies/fields/fields.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 

@@ -134,7 +134,9 @@ bool run_fields_study(const sweep::SweepWork& work, store::Store& store, const s
         if (const auto stored = store.find_cell(build, row.hash)) {
             row.status = stored->status;
         } else {
-            const FieldsAdvice advice = advise_fields({.cell = choice}, [] {});
+            FieldsPlan plan;
+            plan.cell = choice;
+            const FieldsAdvice advice = advise_fields(plan, [] {});
             row.status = advice.all_right() ? store::CellStatus::verified : store::CellStatus::failed;
             for (const FieldsContender& contender : advice.contenders)
                 if (row.reason.empty()) row.reason = contender.wrong;

@@ -2,6 +2,7 @@
 #include "edgewise/studies/gate/group.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>

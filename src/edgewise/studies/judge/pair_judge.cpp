@@ -2,6 +2,7 @@
 #include "edgewise/studies/judge/pair_judge.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 

@@ -4,6 +4,7 @@
 #include "edgewise/studies/advise/race_plan.hpp"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <set>
 
@@ -63,12 +64,8 @@ TEST(RacePlan, IsTheLargestThatFits) {
     EXPECT_GT(least, 100);
 }
 
-}  // namespace
-
 // Pieces of work under a limit, by a clock of the test's own: one is begun only where one as long as the
 // longest so far still ends in time.
-
-namespace {
 
 TEST(TimeLimit, LooksAtTheLongestPieceSoFar) {
     double now = 0;
@@ -111,11 +108,7 @@ TEST(TimeLimit, IsExceededByNoMoreThanAPieceThatNobodyCouldForesee) {
     EXPECT_GT(exceeded, 100);
 }
 
-}  // namespace
-
 // A prediction from made-up misses. Sums were done by hand.
-
-namespace {
 
 TEST(Prediction, WaitsForEachLevel) {
     CacheCost cost;
