@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The manifests have one line per layout (layouts/CMakeLists.txt) and one per probe (probes/CMakeLists.txt). CMake generates a
-# unit for each table type (those of one layout compile as one), so that builds are parallel and no other file
-# names a layout.
+# The manifests have one line per layout (layouts/CMakeLists.txt), probe (probes/CMakeLists.txt) and study
+# (src/edgewise/studies/CMakeLists.txt). CMake generates a unit for each table type (those of one layout compile as one), so
+# that builds are parallel and no other file names a layout.
 
 # edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the type and
 # the command-line name; with a number, type and name end with it. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
@@ -57,12 +57,35 @@ function(edgewise_probe PROBE)
     endif()
 endfunction()
 
+# edgewise_study(NAME): the folder NAME of the room studies has a source that defines NAME_study().
+function(edgewise_study STUDY)
+    set_property(GLOBAL APPEND PROPERTY EDGEWISE_STUDIES ${STUDY})
+endfunction()
+
+# edgewise_study_list(FILE STUDY...): writes the unit that lists these studies, in this order.
+function(edgewise_study_list FILE)
+    foreach(study IN LISTS ARGN)
+        string(APPEND STUDY_DECLARATIONS "sweep::Study ${study}_study();\n")
+        string(APPEND STUDY_CALLS "studies::${study}_study(), ")
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/study_list.cpp.in ${FILE} @ONLY)
+endfunction()
+
+# edgewise_probe_list(FILE PROBE...): writes the unit that lists these probes, in this order.
+function(edgewise_probe_list FILE)
+    foreach(probe IN LISTS ARGN)
+        string(APPEND PROBE_INCLUDES "#include \"edgewise/probes/${probe}.hpp\"\n")
+        string(APPEND PROBE_ENTRIES "        probe_of<probes::${probe}>(\"${probe}\"),\n")
+    endforeach()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/probe_list.cpp.in ${FILE} @ONLY)
+endfunction()
+
 # edgewise_addition(NAME): the folder reports/NAME adds the parts that NAME_addition() lists to the report and the program.
 function(edgewise_addition NAME)
     set_property(GLOBAL APPEND PROPERTY EDGEWISE_ADDITIONS ${NAME})
 endfunction()
 
-# Call it after both manifests: refuses unknown layouts in EDGEWISE_LAYOUTS, and writes the list of all probes.
+# Call it after the manifests: refuses unknown layouts in EDGEWISE_LAYOUTS, and writes the lists of all probes and studies.
 function(edgewise_write_registry)
     get_property(all GLOBAL PROPERTY EDGEWISE_ALL_LAYOUTS)
     foreach(layout IN LISTS EDGEWISE_LAYOUTS)
@@ -71,11 +94,7 @@ function(edgewise_write_registry)
         endif()
     endforeach()
     get_property(probes GLOBAL PROPERTY EDGEWISE_PROBES)
-    foreach(probe IN LISTS probes)
-        string(APPEND PROBE_INCLUDES "#include \"edgewise/probes/${probe}.hpp\"\n")
-        string(APPEND PROBE_ENTRIES "        probe_of<probes::${probe}>(\"${probe}\"),\n")
-    endforeach()
-    set(unit ${PROJECT_BINARY_DIR}/registry/probe_list.cpp)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/probe_list.cpp.in ${unit} @ONLY)
-    set_property(GLOBAL APPEND PROPERTY EDGEWISE_PROBE_UNITS ${unit})
+    edgewise_probe_list(${PROJECT_BINARY_DIR}/registry/probe_list.cpp ${probes})
+    get_property(studies GLOBAL PROPERTY EDGEWISE_STUDIES)
+    edgewise_study_list(${PROJECT_BINARY_DIR}/registry/study_list.cpp ${studies})
 endfunction()

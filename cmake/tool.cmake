@@ -50,13 +50,14 @@ if(EDGEWISE_SANITIZE)
 endif()
 
 get_property(probe_units GLOBAL PROPERTY EDGEWISE_PROBE_UNITS)
+set(lists ${PROJECT_BINARY_DIR}/registry/probe_list.cpp ${PROJECT_BINARY_DIR}/registry/study_list.cpp)
 # The tool's own code is not timed, but scans decide the speed of a campaign: compiled for this machine's widest vectors.
 if(EDGEWISE_TUNE)
     set_source_files_properties(src/edgewise/truth/filter/scanned_body.cpp PROPERTIES
         COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
 add_library(edgewise_core STATIC ${steering}
-    ${sources} ${probe_units} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
+    ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 add_dependencies(edgewise_core edgewise_build_info)
@@ -67,11 +68,11 @@ if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
-# Sources that mutants (tests/mutation) replace stay separate.
-edgewise_unite(edgewise_core ${counters} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
+# Sources that mutants (tests/mutation), and tests with probes and studies of their own, replace stay separate.
+edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind.cpp src/edgewise/scene/motion.cpp
-    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort.cpp src/edgewise/studies/stability_tally.cpp
-    src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/proof_floor.cpp
+    src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort/effort.cpp src/edgewise/studies/stability/stability_tally.cpp
+    src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/effort/proof_floor.cpp
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp
     src/edgewise/studies/fields/best_groups.cpp src/edgewise/studies/fields/co_access.cpp
     src/edgewise/studies/fields/field_places.cpp src/edgewise/studies/fields/verdicts.cpp

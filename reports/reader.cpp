@@ -70,15 +70,16 @@ void sort_out(ReportData& data) {
         data.scene_files.emplace_back(key.substr(prefix.size()), value);
         names.insert(data.scene_files.back().first);
     }
-    using store::Run;
-    const auto of = [](Run run) { return [run](const ReportCell& cell) { return cell.run == run; }; };
-    data.stability = take_out(data.cells, of(Run::stability));
-    data.paging = take_out(data.cells, of(Run::paging));
+    const auto of = [](const char* run) { return [run](const ReportCell& cell) { return cell.run == run; }; };
+    data.stability = take_out(data.cells, of("stability"));
+    data.paging = take_out(data.cells, of("paging"));
     data.thrash = take_out(data.cells, [](const ReportCell& cell) {
-        return cell.run == Run::thrash || cell.run == Run::thrash_realised;
+        return cell.run == "thrash" || cell.run == "thrash_realised";
     });
-    data.effort = take_out(data.cells, of(Run::effort));
-    data.fields = take_out(data.cells, of(Run::fields));
+    data.effort = take_out(data.cells, of("effort"));
+    data.fields = take_out(data.cells, of("fields"));
+    data.other_studies =
+        take_out(data.cells, [](const ReportCell& cell) { return cell.run != store::sweep_run; });
     data.from_files =
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     name_by_file(data.from_files, data.scene_files);
@@ -112,7 +113,8 @@ bool ReportData::any_failed() const {
     const auto failed = [](const ReportCell& row) { return row.failed(); };
     return count(store::CellStatus::failed) > 0 || std::any_of(stability.begin(), stability.end(), failed) ||
            std::any_of(effort.begin(), effort.end(), failed) ||
-           std::any_of(fields.begin(), fields.end(), failed);
+           std::any_of(fields.begin(), fields.end(), failed) ||
+           std::any_of(other_studies.begin(), other_studies.end(), failed);
 }
 
 ReportData read_report(const std::string& store, const std::string& build, const store::OnCell& on_cell) {

@@ -111,8 +111,8 @@ std::string scene_label(const store::CellRow& cell, const std::string& file_text
     std::vector<std::string> inside;
     for (const auto& [name, value] : parameters.items())
         if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
-    const bool of_study = cell.run != store::Run::sweep && cell.scene != to_string(cell.run);
-    return label(of_study ? fmt::format("{} {}", to_string(cell.run), cell.scene) : cell.scene, inside);
+    const bool of_study = cell.run != store::sweep_run && cell.scene != cell.run;
+    return label(of_study ? cell.run + " " + cell.scene : cell.scene, inside);
 }
 
 }  // namespace edgewise::reports

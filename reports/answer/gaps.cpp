@@ -35,7 +35,7 @@ Gaps gaps_of(const ReportData& data) {
     Gaps all;
     std::map<std::pair<std::string, std::string>, Found> found;
     for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash,
-                              &data.effort, &data.fields, &data.peers}) {
+                              &data.effort, &data.fields, &data.other_studies, &data.peers}) {
         for (const ReportCell& cell : *cells) {
             for (const store::FigureRow& figure : cell.figures) {
                 ++(figure.value ? all.measured : all.missing);

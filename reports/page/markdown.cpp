@@ -108,8 +108,9 @@ std::string repeat_markdown(const ReportData& data, const Answer& answer) {
 
 }  // namespace
 
-std::string changes_markdown(const Chapter& chapter) {
-    std::string out = headed(markdown_text(chapter.title)) + markdown_text(chapter.sentence) + "\n\n";
+std::string chapter_markdown(const Chapter& chapter) {
+    std::string out = headed(markdown_text(chapter.title)) +
+                      markdown_text(chapter.sentence.empty() ? chapter.paragraph : chapter.sentence) + "\n\n";
     for (const ChapterBlock& block : chapter.blocks) {
         for (TextGrid grid : block.grids) {
             if (grid.rows.size() > few_rows && grid.rows.size() > grid.shown_rows) {
@@ -132,6 +133,7 @@ std::string report_markdown(const ReportData& data, const Answer& answer, const 
     out += headed("On the front of time and bytes") + fronts_markdown(answer);
     out += break_even_markdown(data, answer);
     out += headed("Bytes") + bytes_markdown(data, answer);
+    for (const Chapter& chapter : study_chapters(data)) out += chapter_markdown(chapter);
     out += headed("What to look at") + list(what_to_look_at(answer));
     out += headed("What passed") + list(what_passed(answer));
     out += headed("Method") + std::string(report_text("method.md")) + "\n";

@@ -19,10 +19,10 @@ namespace edgewise::reports {
                                     const std::vector<Chapter>& chapters, const std::vector<Chart>& charts,
                                     const StaticPictures& pictures, const std::string& bundles);
 
-/// `changes`: what changes_markdown gives, or empty where nothing is compared.
+/// `changes`: what chapter_markdown makes of its chapter, or empty where nothing is compared.
 [[nodiscard]] std::string report_markdown(const ReportData& data, const Answer& answer,
                                           const StaticPictures& pictures, const std::string& changes = {});
-/// The chapter on what changed, its first rows.
-[[nodiscard]] std::string changes_markdown(const Chapter& chapter);
+/// Returns a chapter with the first rows of its tables.
+[[nodiscard]] std::string chapter_markdown(const Chapter& chapter);
 
 }  // namespace edgewise::reports

@@ -105,7 +105,7 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     std::string changes;
     if (beside) {
         chapters.insert(chapters.begin(), compare_chapter(*beside->comparison, beside->slack, beside->name));
-        changes = changes_markdown(chapters.front());
+        changes = chapter_markdown(chapters.front());
     }
     begin("pages");
     write_file(out / "report.md", report_markdown(data, answer, pictures, changes));

@@ -25,18 +25,17 @@ struct ResultFile {
 
 /// What the rows of a file have in common: "tumble", of a study "stability", "effort_tumble".
 std::string subject_of(const ReportCell& cell) {
-    const std::string run(to_string(cell.run));
-    return cell.run == store::Run::sweep || cell.scene == run ? cell.scene : run + "_" + cell.scene;
+    return cell.run == store::sweep_run || cell.scene == cell.run ? cell.scene : cell.run + "_" + cell.scene;
 }
 
 /// Their names; a user's scene that is called like a study is another file.
-std::map<std::pair<store::Run, std::string>, std::string> names_of(const ReportData& data) {
-    std::map<std::pair<store::Run, std::string>, std::string> names;
+std::map<std::pair<std::string, std::string>, std::string> names_of(const ReportData& data) {
+    std::map<std::pair<std::string, std::string>, std::string> names;
     std::set<std::string> taken;
     const std::vector<const ReportCell*> cells = every_cell(data);
     for (const bool swept : {false, true}) {
         for (const ReportCell* cell : cells) {
-            if ((cell->run == store::Run::sweep) != swept || names.contains({cell->run, cell->scene}))
+            if ((cell->run == store::sweep_run) != swept || names.contains({cell->run, cell->scene}))
                 continue;
             const std::string name = file_name_of(subject_of(*cell), taken);
             taken.insert(name);

@@ -86,7 +86,8 @@ TextGrid facts_grid(const ReportData& data) {
         if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key) ||
             key.starts_with(store::scene_path_key) || key.starts_with(store::peer_key) ||
             key.starts_with(store::run_key) || key.starts_with(store::layout_key) ||
-            key.starts_with(store::body_key) || key.starts_with(store::heat_key))
+            key.starts_with(store::body_key) || key.starts_with(store::heat_key) ||
+            key.starts_with(store::study_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
         if (key == store::shard_key || key == store::complete_key || key.starts_with(store::took_key))

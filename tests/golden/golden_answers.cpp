@@ -21,7 +21,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/sweep/shared_queries.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 #include "golden_main.hpp"
 
 namespace edgewise {

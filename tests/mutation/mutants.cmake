@@ -194,7 +194,7 @@ edgewise_mutant(what_is_new_is_no_difference measure/record/comparison.cpp [[add
     Record.* ${unit}/measure/record_test.cpp)
 
 # Effort
-edgewise_mutant(startup_is_counted studies/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
+edgewise_mutant(startup_is_counted studies/effort/effort.cpp [[return (of_many - of_few) / passes / queries;]] [[return of_many / passes / queries;]]
     Effort.Counts* ${unit}/studies/effort_test.cpp)
 edgewise_mutant(calls_are_counted_twice measure/process/callgrind.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
     CallgrindLines.* ${unit}/measure/callgrind_test.cpp)
@@ -202,7 +202,7 @@ edgewise_mutant(every_function_runs_once studies/phases/effort_phases.cpp [[in_s
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
 edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (sum == total) return {};]] [[return {};]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
-edgewise_mutant(floor_without_itself studies/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
+edgewise_mutant(floor_without_itself studies/effort/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
 
 # Speed against a baseline
@@ -257,7 +257,7 @@ edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobo
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true);]] [[return walk(a, b, nobody, false);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
+edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)
 
 # Figure 8

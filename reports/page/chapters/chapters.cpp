@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -268,6 +269,7 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
         for (Chapter& chapter : addition.chapters(data, charts)) chapters.push_back(std::move(chapter));
     if (auto chapter = peers_chapter(answer, data)) chapters.push_back(std::move(*chapter));
     if (auto chapter = fields_chapter(data)) chapters.push_back(std::move(*chapter));
+    std::ranges::move(study_chapters(data), std::back_inserter(chapters));
     add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter, words_chapter});
     std::ranges::for_each(chapters, drop_empty_grids);
     return chapters;

@@ -33,4 +33,7 @@ struct Chapter {
 [[nodiscard]] std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& data,
                                                    const std::vector<Chart>& charts);
 
+/// Chapters of the studies without one of their own, by name: one grid each, as the store describes it.
+[[nodiscard]] std::vector<Chapter> study_chapters(const ReportData& data);
+
 }  // namespace edgewise::reports

@@ -91,7 +91,7 @@ GridCell asked_gjk(const ReportCell& hardened, const AnswerNames& names) {
 }
 
 std::vector<GridCell> raw_row(const ReportCell& raw, const ReportCell* hardened) {
-    const AnswerNames& names = raw.run == store::Run::stability ? of_families : of_cells;
+    const AnswerNames& names = raw.run == "stability" ? of_families : of_cells;
     const measure::Figure asked = raw.figure(names.asked), wrong = raw.figure(names.wrong);
     std::vector<GridCell> row = grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked),
                                          figure_cell(wrong), figure_cell(raw.figure(names.wrong_verdicts)),

@@ -41,7 +41,7 @@ std::string step_text(double time_step) {
     return time_step < 0.1 ? "1/60 s" : fmt::format("{:g} s", time_step);
 }
 
-std::vector<const ReportCell*> rows_of_run(const ReportData& data, store::Run run, const char* member) {
+std::vector<const ReportCell*> rows_of_run(const ReportData& data, std::string_view run, const char* member) {
     std::vector<const ReportCell*> rows;
     for (const ReportCell& cell : data.thrash)
         if (cell.run == run && !text_parameter(cell, member).empty()) rows.push_back(&cell);
@@ -191,7 +191,7 @@ double RealisedRow::worst_ratio() const {
 
 std::vector<ThrashRow> thrash_rows(const ReportData& data) {
     std::vector<ThrashRow> rows;
-    for (const ReportCell* cell : rows_of_run(data, store::Run::thrash, "mechanism")) {
+    for (const ReportCell* cell : rows_of_run(data, "thrash", "mechanism")) {
         ThrashRow row;
         row.cell = cell;
         row.mechanism = text_parameter(*cell, "mechanism");
@@ -208,7 +208,7 @@ std::vector<ThrashRow> thrash_rows(const ReportData& data) {
 
 std::vector<RealisedRow> realised_rows(const ReportData& data) {
     std::vector<RealisedRow> rows;
-    for (const ReportCell* cell : rows_of_run(data, store::Run::thrash_realised, "mechanism")) {
+    for (const ReportCell* cell : rows_of_run(data, "thrash_realised", "mechanism")) {
         RealisedRow row;
         row.cell = cell;
         const auto number = [&](const char* name) { return scene_number(*cell, name).value_or(0); };

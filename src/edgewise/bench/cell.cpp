@@ -52,7 +52,7 @@ void name_cell(store::CellRow& cell, const Polyhedron& body) {
         .add(cell.table)
         .add(cell.axes);
     if (!cell.scene_kind.empty()) print.add(cell.scene_kind);
-    if (cell.run != store::Run::sweep) print.add(to_string(cell.run));
+    if (cell.run != store::sweep_run) print.add(cell.run);
     cell.hash = print.add(cell.seed).add(static_cast<std::uint64_t>(cell.queries)).add(body).hex();
 }
 

@@ -21,7 +21,6 @@
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/shown_text.hpp"
 #include "edgewise/studies/single_cell.hpp"
-#include "edgewise/studies/stability.hpp"
 
 namespace edgewise::cli {
 
@@ -112,11 +111,6 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
 
 /// --margin: what --needs nearer asks about.
 void add_margin_option(CLI::App& command, std::optional<double>& margin);
-
-/// A stability run into a store: for the command of that name and for the sweep. Ctrl-C stops after the row
-/// in hand.
-studies::StabilitySummary store_stability(const studies::StabilityPlan& plan, store::Store& store,
-                                          const std::function<void(const studies::StabilityRow&)>& on_row);
 
 void add_advise(CLI::App& app, Context& context);
 void add_additions(CLI::App& app, Context& context);

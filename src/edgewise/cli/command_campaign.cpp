@@ -17,7 +17,6 @@
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/case_text.hpp"
-#include "edgewise/studies/campaign/failing_case.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
 namespace edgewise::cli {

@@ -13,7 +13,7 @@
 #include "edgewise/cli/terminal/phase_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/studies/effort_rows.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 
 namespace edgewise::cli {
 
@@ -79,7 +79,7 @@ void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& o
 /// In the plan's order; those that the store already has are not in it.
 bool measure_rows(const EffortArguments& options, const studies::EffortPlan& plan,
                   std::vector<studies::EffortRow>& rows) {
-    std::vector<std::optional<studies::EffortRow>> places(studies::effort_rows(plan));
+    std::vector<std::optional<studies::EffortRow>> places(studies::contenders(plan).size());
     Progress progress("effort", places.size());
     const auto take = [&](std::size_t place, const studies::EffortRow& row) {
         places[place] = row;

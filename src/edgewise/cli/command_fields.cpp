@@ -12,7 +12,7 @@
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/field_tables.hpp"
-#include "edgewise/studies/fields/fields_rows.hpp"
+#include "edgewise/studies/fields/fields.hpp"
 #include "edgewise/studies/fields/group_text.hpp"
 
 namespace edgewise::cli {

@@ -110,7 +110,7 @@ Json list_plans() {
                     {"queries", plan.queries},
                     {"checked", plan.checked},
                     {"rounds", plan.rounds},
-                    {"stability", plan.stability},
+                    {"stability", plan.count_of("stability")},
                     {"layouts", plan.layouts},
                     {"axes", plan.axes},
                     {"scenes", scenes},

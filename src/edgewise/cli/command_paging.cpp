@@ -10,7 +10,7 @@
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/studies/paging.hpp"
+#include "edgewise/studies/paging/paging.hpp"
 
 namespace edgewise::cli {
 

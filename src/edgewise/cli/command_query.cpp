@@ -20,7 +20,7 @@
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/case_file.hpp"
-#include "edgewise/studies/parts/allowed_errors.hpp"
+#include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::cli {
 

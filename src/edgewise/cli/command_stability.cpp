@@ -17,7 +17,8 @@
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/studies/parts/sharded_work.hpp"
+#include "edgewise/studies/stability/stability.hpp"
+#include "edgewise/sweep/stored_cells.hpp"
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::cli {
@@ -69,10 +70,11 @@ studies::StabilityPlan chosen_plan(const StabilityArguments& options) {
 studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
                                             reports::ReportData& data) {
     Progress progress("stability", studies::stability_rows(plan), 0, "rows");
-    return store_stability(plan, store, [&](const studies::StabilityRow& row) {
+    const auto take = [&](const studies::StabilityRow& row) {
         data.stability.push_back({{row.cell, row.figures}, row.cell.scene});
         progress.advance(1, row.cell.shape + " " + row.cell.table);
-    });
+    };
+    return studies::store_stability(plan, store, take, stop_on_signals());
 }
 
 /// The report's table of a stability run, and what failed.
@@ -90,7 +92,7 @@ int run_stability(const StabilityArguments& options, bool json) {
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
     const sweep::Shard shard = chosen_shard(options.shard);
     const auto seconds =
-        options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
+        options.costs.empty() ? std::map<std::string, double>() : sweep::seconds_in(options.costs);
     const bool any = studies::keep_shard(plan, shard, seconds);
     make_folder_of(options.store, "--store");
     store::Store store(options.store);

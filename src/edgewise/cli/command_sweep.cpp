@@ -20,7 +20,8 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/studies/parts/sharded_work.hpp"
+#include "edgewise/sweep/stored_cells.hpp"
+#include "edgewise/sweep/study.hpp"
 
 namespace edgewise::cli {
 
@@ -56,7 +57,7 @@ std::string command_line(const CLI::App& command) {
     return line;
 }
 
-/// A sweep of chosen scenes or bodies is about those: no stability run unless asked for.
+/// A sweep of chosen scenes or bodies is about those: no study unless asked for.
 bool narrowed(const SweepArguments& options) {
     return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
 }
@@ -84,15 +85,11 @@ sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& 
     return scene;
 }
 
-/// Runs that only whole plans have: of scenes beside the sweep.
-void narrow_runs(const SweepArguments& options, sweep::Plan& plan) {
-    plan.stability = options.stability.value_or(narrowed(options) ? 0 : plan.stability);
-    if (narrowed(options)) {
-        plan.paging = 0;
-        plan.thrash = false;
-    }
-    plan.effort = options.effort.value_or(narrowed(options) ? 0 : plan.effort);
-    if (narrowed(options)) plan.fields = 0;
+/// Studies that only whole plans have: of scenes beside the sweep.
+void narrow_studies(const SweepArguments& options, sweep::Plan& plan) {
+    if (narrowed(options)) plan.studies.clear();
+    if (options.stability) plan.studies["stability"] = *options.stability;
+    if (options.effort) plan.studies["effort"] = *options.effort;
 }
 
 /// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
@@ -132,7 +129,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     plan.queries = options.queries.value_or(plan.queries);
     plan.checked = options.checked.value_or(plan.checked);
     plan.rounds = options.rounds.value_or(plan.rounds);
-    narrow_runs(options, plan);
+    narrow_studies(options, plan);
     plan.seed = options.seed.value_or(plan.seed);
     return plan;
 }
@@ -141,16 +138,15 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
 void print_summary(const PartsSummary& outcome, const std::string& store,
                    const reports::ReportSummary& report, bool json) {
     const sweep::SweepSummary& summary = outcome.sweep;
-    const studies::StabilitySummary& stability = outcome.stability;
     const std::string& page = report.page;
     if (json) {
         nlohmann::json line = {{"cells", summary.cells},   {"verified", summary.verified},
                                {"failed", summary.failed}, {"unavailable", summary.unavailable},
                                {"store", store},           {"report", or_null(page)}};
         if (summary.judged > 0) line["judged"] = summary.judged;
-        if (stability.rows > 0) {
-            line["stability_rows"] = stability.rows;
-            line["stability_failed"] = stability.failed;
+        for (const auto& [study, counts] : outcome.studies) {
+            line[study + "_rows"] = counts.rows;
+            line[study + "_failed"] = counts.failed;
         }
         print_json(line);
         return;
@@ -159,10 +155,9 @@ void print_summary(const PartsSummary& outcome, const std::string& store,
                summary.failed, summary.unavailable);
     if (summary.judged > 0)
         fmt::print("{} cells of other libraries and of raw V-Clip judged\n", summary.judged);
-    if (stability.rows > 0) {
-        fmt::print("{} stability rows: {} failed, {} unavailable\n", stability.rows, stability.failed,
-                   stability.unavailable);
-    }
+    for (const auto& [study, counts] : outcome.studies)
+        fmt::print("{} {} rows: {} failed, {} unavailable\n", counts.rows, study, counts.failed,
+                   counts.unavailable);
     fmt::print("store: {}\n", store);
     if (page.empty())
         fmt::print("a part of a campaign; all of them as one: edgewise merge STORES... --out ALL\n");
@@ -191,7 +186,7 @@ int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, con
     print_summary(outcome, store, report, json);
     if (options.fom) print_figures_of_merit(store);
     const sweep::SweepSummary& cells = outcome.sweep;
-    const studies::StabilitySummary& rows = outcome.stability;
+    const StudyCounts rows = outcome.all_studies();
     const bool nothing = cells.cells > 0 && cells.cells == cells.unavailable && rows.rows == rows.unavailable;
     if (nothing) warn("nothing was compared: no cell has an answer; the report says why");
     return nothing || cells.failed + rows.failed > 0 ? exit_check_failed : exit_done;
@@ -221,9 +216,9 @@ int run_sweep(const SweepArguments& options, bool json) {
     const std::string path = store_of(options, shard);
     check_folders(options, shard, path);
     const auto seconds =
-        options.costs.empty() ? std::map<std::string, double>() : studies::seconds_in(options.costs);
+        options.costs.empty() ? std::map<std::string, double>() : sweep::seconds_in(options.costs);
     sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
-    studies::keep_shard(work, shard, seconds);
+    sweep::keep_shard(work, shard, seconds);
     make_folders(options, shard, path);
     PartsSummary outcome;
     {

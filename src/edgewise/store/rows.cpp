@@ -56,7 +56,7 @@ CellRow read_cell(const sqlite::Statement& s) {
             s.text(7),     s.text(8),     s.text(9),
             s.integer(10), s.integer(11), s.integer(12),
             s.natural(13), s.integer(14), named<CellStatus>(s.text(15), status_names, "the status"),
-            s.text(16),    s.text(17),    named<Run>(s.text(18), run_names, "the run")};
+            s.text(16),    s.text(17),    s.text(18)};
 }
 
 BuildRow read_build_row(const sqlite::Statement& s) {

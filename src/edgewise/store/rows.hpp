@@ -26,11 +26,8 @@ struct BuildRow {
     std::string machine_json;  ///< what `edgewise machine --json` prints
 };
 
-/// What measured a row: a sweep, or a study that keeps its rows in the same store.
-enum class Run { sweep, stability, paging, thrash, thrash_realised, effort, fields };
-inline constexpr std::string_view run_names[] = {"sweep",           "stability", "paging", "thrash",
-                                                 "thrash_realised", "effort",    "fields"};
-[[nodiscard]] constexpr std::string_view to_string(Run run) { return run_names[static_cast<int>(run)]; }
+/// The `run` of a sweep's rows; those of a study have the study's name.
+inline constexpr const char* sweep_run = "sweep";
 
 /// Cells of another library, and of raw V-Clip, are judged: their errors are counted and fail nothing.
 enum class CellStatus { unavailable, verified, failed, judged };
@@ -49,9 +46,9 @@ struct CellRow {
     std::uint64_t seed = 0;
     std::int64_t queries = 0;
     CellStatus status = CellStatus::unavailable;
-    std::string reason;  ///< why failed or unavailable; of a judged one, what is wrong with it
-    std::string axes;    ///< further axes, as in sweep/axes.hpp; empty for the plain cell
-    Run run = Run::sweep;
+    std::string reason;           ///< why failed or unavailable; of a judged one, what is wrong with it
+    std::string axes;             ///< further axes, as in sweep/axes.hpp; empty for the plain cell
+    std::string run = sweep_run;  ///< what measured it
     std::string scene_kind = {};  ///< of a scene file: part of the hash, and no column
 
     [[nodiscard]] bool verified() const { return status == CellStatus::verified; }

@@ -21,7 +21,7 @@ inline constexpr const char* drawing_key = "drawing ";
 inline constexpr const char* layout_key = "layout ";
 
 /// body_key followed by a shape's name: the body; heat_key followed by a cell's hash: how often its scene
-/// reads each feature of the body. Both as JSON (sweep/body_heat.hpp).
+/// reads each feature of the body. Both as JSON (sweep/cell_run.hpp).
 inline constexpr const char *body_key = "body ", *heat_key = "heat ";
 
 /// Followed by a scene file's name: its text, as JSON in one line; and its path.
@@ -44,6 +44,9 @@ inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 /// Followed by the name of a comparison, of a group of a sweep or of another run: the seconds that it took
 /// last time. They decide the size of shards and the estimate of the time left.
 inline constexpr const char* took_key = "took ";
+
+/// Followed by a study's name: the title, the text and the columns of its chapter, as JSON (sweep/study.hpp).
+inline constexpr const char* study_key = "study ";
 
 /// Text of schema.sql, which creates the tables that do not exist.
 extern const char* const store_schema;

@@ -16,8 +16,7 @@ create table if not exists cell(
     queries integer not null,
     status text not null check(status in ('verified', 'failed', 'unavailable', 'judged')), reason text not null,
     axes text not null,  -- further axes, NAME=VALUE joined by '+'; empty for the plain cell
-    run text not null default 'sweep' check(run in ('sweep', 'stability', 'paging', 'thrash', 'thrash_realised',
-        'effort', 'fields')),  -- what measured it; the scene's name says nothing of that
+    run text not null default 'sweep',  -- what measured it: a sweep, or the study of that name
     primary key(build, hash)) without rowid;
 
 create table if not exists figure(

@@ -116,7 +116,7 @@ void Store::put_cell(const std::string& build, const CellRow& c, std::span<const
     sqlite::Statement(database_, insertion("or replace", "cell", cell_columns))
         .bind(build, c.hash, c.scene, c.scene_parameters, c.shape, c.shape_source, c.algorithm, c.layout,
               c.precision, c.table, c.vertices, c.edges, c.faces, c.seed, c.queries, to_string(c.status),
-              c.reason, c.axes, to_string(c.run))
+              c.reason, c.axes, c.run)
         .run();
     put_figures(database_, build, c.hash, figures);
     transaction.commit();

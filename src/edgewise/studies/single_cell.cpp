@@ -64,7 +64,7 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
     if (choice.checked > 0) cell_.check(*shared_);
 }
 
-store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run) {
+store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, const std::string& run) {
     const Polyhedron body = scene::make_shape(choice.shape).or_throw();
     store::CellRow row;
     row.run = run;
@@ -81,6 +81,10 @@ store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, st
     bench::describe_cell(row, type, body);
     bench::name_cell(row, body);
     return row;
+}
+
+std::string contender_name(const std::string& algorithm, const std::string& table) {
+    return (algorithm == "vclip" ? "V-Clip" : algorithm == "gjk" ? "GJK" : algorithm) + " on " + table;
 }
 
 }  // namespace edgewise::studies

@@ -6,9 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/store/rows.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
+#include "edgewise/truth/checked_answer.hpp"
 
 namespace edgewise::studies {
 
@@ -43,6 +46,15 @@ class SingleCell {
 };
 
 /// Returns the named row of this cell in this run; the run sets its status.
-[[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, store::Run run);
+[[nodiscard]] store::CellRow row_of(const CellChoice& choice, const bench::TableType& type,
+                                    const std::string& run);
+
+/// Returns "V-Clip on lean_f32".
+[[nodiscard]] std::string contender_name(const std::string& algorithm, const std::string& table);
+
+[[nodiscard]] inline truth::AllowedErrors allowed_errors(const bench::TableType& type,
+                                                         std::string_view algorithm) {
+    return truth::allowed_errors(type.eps, type.rounded_planes && algorithm == "vclip");
+}
 
 }  // namespace edgewise::studies

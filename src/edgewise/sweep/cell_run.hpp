@@ -8,11 +8,27 @@
 #include <vector>
 
 #include "edgewise/bench/probe.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::sweep {
+
+// What a store keeps for pictures of heat on the body itself: each body once, and how often the scene of a
+// cell read each of its features.
+
+/// {"vertices": [x, y, z, ...], "edges": [tail, head, ...], "faces": [[vertex, ...], ...]}
+[[nodiscard]] std::string body_json(const Polyhedron& body);
+
+/// {"queries": n, "vertices": [reads, ...], "edges": ..., "faces": ...}, in the body's order; null where the
+/// layout stores nothing for these alone.
+[[nodiscard]] std::string heat_json(const bench::FeatureHeat& heat);
+
+/// Whether a table type's order of features is the body's, and its heat stands for its layout's (of one
+/// precision each); of bodies that a picture can show.
+[[nodiscard]] bool shows_heat(const bench::TableType& type, std::int64_t vertices);
 
 class CellRun {
   public:
@@ -47,7 +63,7 @@ class CellRun {
     /// or the others. A pass whose answers differ from the first fails the cell.
     void measure(Stage stage, std::span<const measure::Round> rounds);
 
-    /// How often the queries whose caches are modelled read each feature of the body, as body_heat.hpp has
+    /// How often the queries whose caches are modelled read each feature of the body, as heat_json has
     /// it; empty of other cells, and of those that it does not show.
     [[nodiscard]] std::string heat_on_body() const;
 

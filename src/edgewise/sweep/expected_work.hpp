@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// How much work the groups of a sweep are, so that what is left can be estimated (time_left.hpp) and shards
+// How much work the groups of a sweep are, so that what is left can be estimated and shards
 // be made even. A group is a scene on a shape with all its cells. Work is in seconds: the time that the same
 // group took when it last ran into the store, else rules of thumb, whose ratios alone matter.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -15,6 +16,48 @@
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
+
+// What is left of a run, in seconds, from the speeds that this run has shown so far. Work is of several
+// kinds, and each kind has a speed of its own. An estimate is either near or not given: it is withheld while
+// groups of a kind have run at speeds too different, or too much of what is left is of a kind that has not
+// run yet.
+
+class TimeLeft {
+  public:
+    /// The kind of work whose expected seconds an earlier run measured.
+    static constexpr const char* last_run = "last run";
+    /// An estimate is given if the truth is probably within this factor of it.
+    static constexpr double largest_factor = 1.5;
+
+    /// Adds work of a kind that lies ahead, in seconds on any machine.
+    void expect(const std::string& kind, double work) { kinds_[kind].ahead += work; }
+    /// Notes that this work was done, and how many seconds it took.
+    void done(const std::string& kind, double work, double seconds);
+    /// Takes out work whose results an earlier run left.
+    void skip(const std::string& kind, double work) { kinds_[kind].ahead -= work; }
+    /// Ends a group of similar work. The spread between groups of a kind is the uncertainty of its speed.
+    void end_group();
+
+    /// Returns the estimate; nothing if none is near enough.
+    [[nodiscard]] std::optional<double> seconds() const;
+
+  private:
+    /// Logarithms of seconds per work, weighted by the work.
+    struct Speeds {
+        double weight = 0, sum = 0, squares = 0, weight_squares = 0;
+
+        void add(double work, double seconds);
+        /// Their standard deviation; `at_first` counts as that of one group.
+        [[nodiscard]] double deviation(double at_first) const;
+    };
+    struct Kind {
+        double ahead = 0, work = 0, seconds = 0;   ///< work that is left and done; s
+        double group_work = 0, group_seconds = 0;  ///< of the group in hand
+        Speeds groups = {};                        ///< of groups that ended
+    };
+
+    std::map<std::string, Kind> kinds_;
+};
 
 /// What a group does in turn.
 enum class Step {

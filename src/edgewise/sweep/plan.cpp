@@ -14,6 +14,7 @@
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/sweep/study.hpp"
 
 namespace edgewise::sweep {
 
@@ -36,10 +37,12 @@ class Members {
     }
 
     template <class Whole>
-    Members& count(const char* name, Whole& to, const input::CountRange& range) {
-        known_.push_back(name);
+    Members& count(std::string_view name, Whole& to, const input::CountRange& range) {
+        known_.emplace_back(name);
         if (!json_.contains(name)) return *this;
-        const auto value = input::count_from(json_.at(name), range);
+        nlohmann::json number = json_.at(name);
+        if (number.is_boolean() && range.most == 1) number = std::uint64_t{number.get<bool>()};
+        const auto value = input::count_from(number, range);
         if (!value) throw std::invalid_argument(fmt::format("{} = {}", name, value.error));
         to = static_cast<Whole>(*value);
         return *this;
@@ -76,8 +79,8 @@ SceneChoice read_scene(const nlohmann::json& json) {
 /// The plan with what the JSON says in place of it. Throws std::exception for what is no plan.
 Plan read_plan(const nlohmann::json& json, Plan plan) {
     nlohmann::json scenes;
-    Members(json)
-        .take("scenes", scenes)
+    Members members(json);
+    members.take("scenes", scenes)
         .take("shapes", plan.shapes)
         .take("meshes", plan.meshes)
         .take("each_mesh", plan.each_mesh)
@@ -90,16 +93,15 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .count("queries", plan.queries, input::queries_range)
         .count("checked", plan.checked, input::queries_range)
         .count("rounds", plan.rounds, input::rounds_range)
-        .count("stability", plan.stability, input::cases_or_none)
         .count("traced", plan.traced, input::queries_or_none)
         .count("traced_steps", plan.traced_steps, input::steps_or_none)
         .take("machines", plan.machines)
-        .take("control", plan.control)
-        .count("paging", plan.paging, input::bodies_or_none)
-        .take("thrash", plan.thrash)
-        .count("effort", plan.effort, input::queries_or_none)
-        .count("fields", plan.fields, input::queries_or_none)
-        .refuse_others();
+        .take("control", plan.control);
+    for (const Study& study : registered_studies()) {
+        std::size_t& count = plan.studies[std::string(study.name)];
+        members.count(study.name, count, study.counts);
+    }
+    members.refuse_others();
     if (json.contains("meshes")) plan.meshes_required = true;
     if (json.contains("scenes")) {
         plan.scenes.clear();

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,16 +48,19 @@ struct Plan {
     std::size_t queries = 0;            ///< per cell and round
     std::size_t checked = 0;            ///< of them, against exact arithmetic
     bool control = false;               ///< of these, against Moore and Wilhelms too, the paper's control
-    std::size_t paging = 0;             ///< bodies of the paging run; 0: none
-    bool thrash = false;                ///< whether to study what could have made figure 8
-    std::size_t effort = 0;             ///< queries of the effort run; 0: none
-    std::size_t fields = 0;             ///< queries of the fields run; 0: none
     int rounds = 0;                     ///< timed, interleaved
-    std::size_t stability = 0;          ///< hard cases per family; 0: no stability run
     std::size_t traced = 0;             ///< queries per cell whose caches are modelled; 0: all
     std::size_t traced_steps = 0;       ///< and of scenes in time order as many whole steps at least
     std::vector<std::string> machines;  ///< to model the caches of; as for choose_machines
     std::vector<std::string> probes;    ///< these alone; none: all
+    /// What each study is to do, by its name: queries, bodies, hard cases per family (sweep/study.hpp).
+    std::map<std::string, std::size_t, std::less<>> studies;
+
+    /// Returns 0 for a study that is not to run.
+    [[nodiscard]] std::size_t count_of(std::string_view study) const {
+        const auto found = studies.find(study);
+        return found == studies.end() ? 0 : found->second;
+    }
 };
 
 /// A plan in the program; its file is found wherever the program is installed.

@@ -17,8 +17,8 @@
 #include "edgewise/store/schema.hpp"
 #include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/expected_work.hpp"
-#include "edgewise/sweep/scene_names.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
 

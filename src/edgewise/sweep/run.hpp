@@ -9,7 +9,7 @@
 #include <string>
 
 #include "edgewise/store/store.hpp"
-#include "edgewise/sweep/time_left.hpp"
+#include "edgewise/sweep/expected_work.hpp"
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {

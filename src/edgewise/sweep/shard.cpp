@@ -119,4 +119,12 @@ std::vector<std::size_t> dealt_to(const Shard& shard, std::span<const ShardUnit>
     return mine;
 }
 
+std::set<std::string> names_dealt_to(const Shard& shard, std::vector<ShardUnit> units,
+                                     const std::map<std::string, double>& seconds) {
+    weigh(units, seconds);
+    std::set<std::string> names;
+    for (const std::size_t unit : dealt_to(shard, units)) names.insert(units[unit].name);
+    return names;
+}
+
 }  // namespace edgewise::sweep

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,5 +55,9 @@ void weigh(std::span<ShardUnit> units, const std::map<std::string, double>& seco
 /// Places of the units that the shard has, in order. The dearest are dealt first, each to the shard that has
 /// least so far; among equals a hash of the names decides.
 [[nodiscard]] std::vector<std::size_t> dealt_to(const Shard& shard, std::span<const ShardUnit> units);
+
+/// Weighs the units and returns the names of those that the shard has.
+[[nodiscard]] std::set<std::string> names_dealt_to(const Shard& shard, std::vector<ShardUnit> units,
+                                                   const std::map<std::string, double>& seconds);
 
 }  // namespace edgewise::sweep

@@ -6,9 +6,10 @@
 #include <algorithm>
 
 #include "edgewise/input/count.hpp"
+#include "edgewise/store/merge.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/sweep/body_heat.hpp"
+#include "edgewise/sweep/cell_run.hpp"
 
 namespace edgewise::sweep {
 
@@ -51,6 +52,16 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
 std::optional<double> took_in(const store::Store& store, const std::string& what) {
     const auto text = store.meta(store::took_key + what);
     return text ? input::parse_number(*text).value : std::nullopt;
+}
+
+std::map<std::string, double> seconds_in(const std::string& store) {
+    const std::string key_start = store::took_key;
+    std::map<std::string, double> seconds;
+    for (const auto& [key, value] : store::MergeSource(store).meta) {
+        const auto number = key.starts_with(key_start) ? input::parse_number(value) : Result<double>{};
+        if (number && *number >= 0) seconds[key.substr(key_start.size())] = *number;
+    }
+    return seconds;
 }
 
 void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {

@@ -3,6 +3,7 @@
 // What a store already has of a sweep, of one build: a sweep that was stopped goes on from there.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -18,6 +19,9 @@ namespace edgewise::sweep {
 
 /// Seconds that a group or another run took when it last ran, of any build; nothing where none are stored.
 [[nodiscard]] std::optional<double> took_in(const store::Store& store, const std::string& what);
+
+/// Seconds of everything that ran into the store at this path, by name.
+[[nodiscard]] std::map<std::string, double> seconds_in(const std::string& store);
 
 class StoredCells {
   public:

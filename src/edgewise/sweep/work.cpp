@@ -2,10 +2,11 @@
 #include "edgewise/sweep/work.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
@@ -16,7 +17,8 @@
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/sweep/scene_names.hpp"
+#include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/study.hpp"
 
 namespace edgewise::sweep {
 
@@ -212,10 +214,17 @@ std::vector<scene::NamedShape> shapes_of(const Plan& plan,
 
 namespace {
 
-/// Mesh files are read, and warned about, where some scene or the stability run is of them. One body for each
-/// mesh of a file has a name that only the file knows.
+/// Returns true if a study of the plan measures its bodies.
+bool a_study_takes_bodies(const Plan& plan) {
+    return std::ranges::any_of(registered_studies(), [&](const Study& study) {
+        return study.of_bodies && plan.count_of(study.name) > 0;
+    });
+}
+
+/// Mesh files are read, and warned about, where some scene or study is of them. One body for each mesh of a
+/// file has a name that only the file knows.
 Plan without_unused_meshes(Plan plan) {
-    if (plan.each_mesh || plan.meshes_required || plan.stability > 0) return plan;
+    if (plan.each_mesh || plan.meshes_required || a_study_takes_bodies(plan)) return plan;
     std::erase_if(plan.meshes, [&](const std::string& file) {
         const std::string name = std::filesystem::path(file).stem().string();
         return std::none_of(plan.scenes.begin(), plan.scenes.end(), [&](const SceneChoice& scene) {
@@ -242,7 +251,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
     }
     // Bodies that nothing is of are not read, and nothing is said of them.
     const auto takes_bodies = [&](const SceneChoice& scene) {
-        return plan.bodies_for_files || plan.stability > 0 || !scene::is_scene_file(scene.name);
+        return plan.bodies_for_files || a_study_takes_bodies(plan) || !scene::is_scene_file(scene.name);
     };
     if (std::ranges::any_of(plan.scenes, takes_bodies))
         work.shapes = shapes_of(without_unused_meshes(plan), warn);
@@ -254,6 +263,65 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
             "this plan has no cells: no layout serves the algorithms chosen, or no shape or scene is left");
     }
     return work;
+}
+
+namespace {
+
+bool is_path(const std::string& name) {
+    const auto texts = scene::scene_texts();
+    return name.ends_with(".json") &&
+           std::ranges::none_of(texts, [&](const scene::SceneText& text) { return text.name == name; });
+}
+
+}  // namespace
+
+std::string scene_id(std::string name) {
+    for (char& c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (!std::isalnum(byte) && c != '_' && c != '-') c = '_';
+    }
+    return name;
+}
+
+std::string owner_of_scene_name(const std::string& name) {
+    const std::string id = scene_id(name);
+    for (const scene::SceneInfo& kind : scene::list_scenes()) {
+        if (id == kind.name) return fmt::format("the kind of scene '{}'", kind.name);
+    }
+    for (const scene::SceneText& text : scene::scene_texts()) {
+        if (id == text.name) return fmt::format("the scene file '{}' that comes along", text.name);
+    }
+    return {};
+}
+
+void check_scene_names(const Plan& plan) {
+    std::map<std::string, std::string> paths;  // by id
+    for (const SceneChoice& scene : plan.scenes) {
+        if (!is_path(scene.name)) continue;
+        const std::filesystem::path path = scene.name;
+        if (const std::string owner = owner_of_scene_name(path.stem().string()); !owner.empty())
+            throw std::invalid_argument(
+                fmt::format("scene file {}: its name is that of {}: rename the file", scene.name, owner));
+        const auto [first, is_new] = paths.try_emplace(scene_id(path.stem().string()), scene.name);
+        std::error_code error;
+        if (!is_new && !std::filesystem::equivalent(first->second, path, error))
+            throw std::invalid_argument(
+                fmt::format("scene files {} and {} would go by one name, '{}': rename one", first->second,
+                            scene.name, first->first));
+    }
+}
+
+void check_scene_files(const SweepWork& work, const store::Store& store) {
+    for (const SceneWork& scene : work.scenes) {
+        const auto stored = store.meta(store::scene_file_key + scene.choice.name);
+        if (scene.json.empty() || !stored || *stored == scene.json) continue;
+        const std::string earlier =
+            store.meta(store::scene_path_key + scene.choice.name).value_or("an earlier run's file");
+        throw std::invalid_argument(fmt::format(
+            "scene file {}: the store holds a different scene of this name, '{}', from {}: rename "
+            "the file or name another store",
+            scene.path, scene.choice.name, earlier));
+    }
 }
 
 }  // namespace edgewise::sweep

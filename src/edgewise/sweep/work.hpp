@@ -6,12 +6,14 @@
 
 #include <deque>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/store/store.hpp"
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 
@@ -39,7 +41,7 @@ struct SweepWork {
     std::vector<scene::NamedShape> shapes;
     std::deque<scene::NamedShape> file_shapes;  ///< of scene files
     std::vector<SceneWork> scenes;
-    std::vector<std::string> families;  ///< of the stability run; empty: all
+    std::set<std::string> parts_elsewhere;  ///< units of studies that other shards run
 
     SweepWork() = default;
     SweepWork(SweepWork&&) = default;  ///< and no copy: scenes point at shapes, which stay where they are
@@ -63,5 +65,23 @@ struct SweepWork {
 /// Throws std::invalid_argument: what, where, what to do. `warn` is notified of non-fatal problems.
 [[nodiscard]] SweepWork prepare_sweep(const Plan& plan,
                                       const std::function<void(const std::string& line)>& warn);
+
+// The names of a plan's scene files. A scene's name is its file's, and its charts, its table of results and
+// its rows in the store go by it: two scenes of one name would be shown as one, and one named like a scene
+// that comes along would stand in its place.
+
+/// Throws std::invalid_argument that names both when two scenes of the plan would go by one name, or a file's
+/// name is that of a kind of scene or of a scene file that comes along.
+void check_scene_names(const Plan& plan);
+
+/// What files and charts of a scene are called: letters, digits, _ and -.
+[[nodiscard]] std::string scene_id(std::string name);
+
+/// Empty, or whose name it is that a user's scene file may not have.
+[[nodiscard]] std::string owner_of_scene_name(const std::string& name);
+
+/// Throws std::invalid_argument that names both files when the store holds another scene of the name of one
+/// of the work's scene files.
+void check_scene_files(const SweepWork& work, const store::Store& store);
 
 }  // namespace edgewise::sweep

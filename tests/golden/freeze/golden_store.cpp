@@ -82,7 +82,7 @@ std::vector<measure::Round> rounds(const store::StoredCell& cell, const store::S
     return result;
 }
 
-bool is_of_sweep(const store::StoredCell& cell) { return cell.run == store::Run::sweep && cell.verified(); }
+bool is_of_sweep(const store::StoredCell& cell) { return cell.run == store::sweep_run && cell.verified(); }
 
 std::string question_of(const store::StoredCell& cell) {
     return cell.scene + cell.scene_parameters + cell.shape + cell.axes;

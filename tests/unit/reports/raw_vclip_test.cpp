@@ -57,7 +57,7 @@ TEST(RawVClipGrid, CountsWrongDistancesOfFamilies) {
                                    {"stability.wrong_outside_band", 0},
                                    {"stability.wrong_answers", 1},
                                    {"stability.cycles", 0}});
-    raw.run = store::Run::stability;
+    raw.run = "stability";
     raw.axes = "hardening=off";
     raw.table = "aos_f64 hardening=off";
     data.stability.push_back(raw);

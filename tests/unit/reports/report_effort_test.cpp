@@ -13,7 +13,7 @@ namespace {
 ReportCell made_up(store::CellStatus status, const std::string& name, std::optional<double> instructions) {
     ReportCell row;
     row.status = status;
-    row.run = store::Run::effort;
+    row.run = "effort";
     row.scene = "tumble", row.scene_label = "effort tumble";
     row.shape = "cube8";
     row.vertices = 8;

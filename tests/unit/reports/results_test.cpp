@@ -89,7 +89,7 @@ TEST(WideResults, AreAFilePerScene) {
     ReportData data = two_cells();
     data.from_files = {made_up_cell("../mine", "gjk", "{}", {{"time.all_ns", 3}})};
     data.effort = {made_up_cell("tumble", "gjk", "{}", {{"effort.instructions", 4}})};
-    data.effort.front().run = store::Run::effort;
+    data.effort.front().run = "effort";
     std::vector<std::string> names;
     for (const auto& [name, text] : wide_results(data)) names.push_back(name);
     EXPECT_THAT(names, testing::UnorderedElementsAre("cold.csv", "___mine.csv", "effort_tumble.csv",

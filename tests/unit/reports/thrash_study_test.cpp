@@ -31,7 +31,7 @@ void add_row(ReportData& data, const std::string& mechanism, const std::string& 
                                        R"({"intensity":0,"machine":")" + machine + R"(","mechanism":")" +
                                            mechanism + R"(","own_tables":1,"time_step":0.016666666})",
                                        figures));
-    data.thrash.back().run = store::Run::thrash;
+    data.thrash.back().run = "thrash";
 }
 
 ReportData made_up_study(double best) {
@@ -57,7 +57,7 @@ void add_curve(ReportData& data, const char* algorithm, int vertices, double mea
                                    R"("own_tables":1,"time_step":0.016666666})",
                                    figures);
     cell.vertices = vertices;
-    cell.run = store::Run::thrash_realised;
+    cell.run = "thrash_realised";
     data.thrash.push_back(cell);
 }
 

@@ -2,14 +2,13 @@
 //
 // How the effort of queries is put together: differences of counted passes, answers held against those that
 // were checked, support points counted from a trace, and figures that say why there is no number.
-#include "edgewise/studies/effort.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cstdio>
 
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/studies/effort_rows.hpp"
 
 namespace edgewise::studies {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/studies/stability.hpp"
+#include "edgewise/studies/stability/stability.hpp"
 
 namespace edgewise::studies {
 namespace {

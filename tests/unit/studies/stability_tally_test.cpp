@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a stability row counts, from answers that were made up.
-#include "edgewise/studies/stability_tally.hpp"
+#include "edgewise/studies/stability/stability_tally.hpp"
 
 #include <gtest/gtest.h>
 

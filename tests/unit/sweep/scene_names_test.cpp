@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scene files that would go by one name are refused before anything is measured, both named.
-#include "edgewise/sweep/scene_names.hpp"
+#include "edgewise/sweep/work.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/study.hpp"
 
 namespace edgewise::sweep {
 namespace {
@@ -53,9 +54,11 @@ TEST(SceneNames, OfWhatComesAlongAreTaken) {
 /// A scene file may be called like a study, or begin like a scene that comes along: its rows say what
 /// measured them.
 TEST(SceneNames, OfStudiesAndBeginningsAreFree) {
-    for (const std::string_view run : store::run_names)
+    std::vector<std::string> runs = {store::sweep_run, "thrash_realised"};
+    for (const Study& study : registered_studies()) runs.emplace_back(study.name);
+    for (const std::string& run : runs)
         for (const std::string end : {"", "2", "ing", " tumble", "_mine"})
-            EXPECT_EQ(complaint({std::string(run) + end + ".json"}), "") << run << end;
+            EXPECT_EQ(complaint({run + end + ".json"}), "") << run << end;
     for (const scene::SceneInfo& kind : scene::list_scenes()) {
         EXPECT_EQ(complaint({kind.name + "2.json"}), "");
         EXPECT_EQ(complaint({kind.name.substr(0, kind.name.size() - 1) + ".json"}), "");

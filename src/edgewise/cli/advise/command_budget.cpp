@@ -14,7 +14,6 @@
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
-#include "edgewise/studies/advise/body_cost.hpp"
 #include "edgewise/studies/advise/vertex_budget.hpp"
 
 namespace edgewise::cli {

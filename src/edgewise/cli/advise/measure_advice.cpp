@@ -7,7 +7,7 @@
 #include "edgewise/cli/advise/race.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/advise/time_limit.hpp"
+#include "edgewise/studies/advise/race_plan.hpp"
 
 namespace edgewise::cli {
 

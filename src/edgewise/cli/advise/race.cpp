@@ -8,7 +8,7 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/advise/level_latency.hpp"
+#include "edgewise/studies/advise/prediction.hpp"
 
 namespace edgewise::cli {
 

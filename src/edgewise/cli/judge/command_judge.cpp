@@ -15,7 +15,7 @@
 #include "edgewise/input/count.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
-#include "edgewise/studies/judge/smaller_pair.hpp"
+#include "edgewise/studies/judge/pair_judge.hpp"
 
 namespace edgewise::cli {
 

@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: MIT
 //
-// A plan's parts in turn, under one progress bar: the sweep, then the hard families, paging, what could have
-// made the paper's figure 8, and what the queries take.
+// A plan's parts in turn, under one progress bar: the sweep, then the studies.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <string>
 
 #include "edgewise/store/store.hpp"
-#include "edgewise/studies/stability.hpp"
 #include "edgewise/sweep/run.hpp"
 
 namespace edgewise::cli {
 
+struct StudyCounts {
+    std::size_t rows = 0, failed = 0, unavailable = 0;
+};
+
 struct PartsSummary {
     sweep::SweepSummary sweep;
-    studies::StabilitySummary stability;
-    bool stopped = false;  ///< before the end of the last part
+    std::map<std::string, StudyCounts> studies;  ///< by name; none of a study without rows
+    bool stopped = false;                        ///< before the end of the last part
+
+    [[nodiscard]] StudyCounts all_studies() const;
 };
 
 /// Ctrl-C stops after the piece in hand; what is stored stays. on_cells: is told how many cells more are

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/advise/race_plan.hpp"
 
+#include <algorithm>
+
 namespace edgewise::studies::advise {
 
 double race_seconds(const RaceCost& cost, const RacePlan& plan) {
@@ -13,6 +15,13 @@ RacePlan race_within(double seconds, const RaceCost& cost) {
             if (race_seconds(cost, plan) <= seconds) return plan;
     }
     return least_race;
+}
+
+bool TimeLimit::begin_piece() {
+    const double now = clock_();
+    if (begun_) longest_ = std::max(longest_, now - *begun_);
+    begun_ = now;
+    return now + longest_ < end_;
 }
 
 }  // namespace edgewise::studies::advise

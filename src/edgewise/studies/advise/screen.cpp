@@ -6,10 +6,41 @@
 #include <algorithm>
 
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/parts/contender_name.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/studies/single_cell.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::studies::advise {
+
+sweep::SceneChoice tumbling(std::size_t bodies, double rotation_step) {
+    return {
+        "tumble",
+        {{"bodies", static_cast<double>(bodies)}, {"rotation_step", rotation_step}, {"in_time_order", 1}}};
+}
+
+bool can_share(const CaseAsked& asked) {
+    return scene::complete_parameters(asked.scene.name, {{"own_tables", 1.0}}).value.has_value();
+}
+
+sweep::SceneChoice scene_of(const CaseAsked& asked) {
+    sweep::SceneChoice scene = asked.scene;
+    if (can_share(asked)) scene.parameters["own_tables"] = asked.own_tables ? 1 : 0;
+    return scene;
+}
+
+std::string sentence_of(const CaseAsked& asked) {
+    const auto complete = scene::complete_parameters(asked.scene.name, asked.scene.parameters);
+    std::string numbers;
+    for (const char* name : {"bodies", "rotation_step"}) {
+        if (complete && complete->contains(name)) numbers += fmt::format(", {} {}", name, complete->at(name));
+    }
+    const std::string tables = !can_share(asked)  ? ""
+                               : asked.own_tables ? ", a table each"
+                                                  : ", one table for all";
+    return fmt::format("{}{}, {} vertices ({}){}, {}, error <= {}", asked.scene.name, numbers,
+                       asked.shape.body.vertex_count(), asked.shape.name, tables, to_string(asked.needs),
+                       asked.error_limit);
+}
 
 namespace {
 

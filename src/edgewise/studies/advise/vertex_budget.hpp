@@ -21,8 +21,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "edgewise/bench/registry.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
 
 namespace edgewise::studies::advise {
@@ -45,5 +48,16 @@ struct SmallerBody {
 
 /// Returns the largest exact distance of any of the points from the hull of the subset.
 [[nodiscard]] double worst_error_of(const std::vector<Vec3d>& points, const std::vector<Vec3d>& subset);
+
+// Cost of the queries of a body: time, bytes of its table, lines. Queries are of cold pairs of two equal
+// bodies. All bodies are timed in turn in rounds; the shortest time of each body counts.
+
+struct BodyCost {
+    double ns = 0, table_bytes = 0, lines = 0;  ///< ns and lines per query
+};
+
+/// Returns the costs in the bodies' order. Throws std::invalid_argument where a table cannot hold a body.
+[[nodiscard]] std::vector<BodyCost> costs_of(std::span<const Polyhedron> bodies, const bench::TableType& type,
+                                             const std::string& algorithm);
 
 }  // namespace edgewise::studies::advise

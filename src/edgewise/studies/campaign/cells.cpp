@@ -8,8 +8,7 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
-#include "edgewise/studies/campaign/workload_of.hpp"
-#include "edgewise/studies/parts/allowed_errors.hpp"
+#include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies::campaign {
 

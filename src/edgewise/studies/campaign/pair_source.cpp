@@ -10,9 +10,7 @@
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/studies/campaign/block_seed.hpp"
-#include "edgewise/studies/campaign/near_poses.hpp"
-#include "edgewise/studies/campaign/random_poses.hpp"
+#include "edgewise/studies/campaign/poses.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies::campaign {

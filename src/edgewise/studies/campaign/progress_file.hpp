@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/studies/campaign/tally.hpp"
+#include "edgewise/studies/campaign/block_run.hpp"
 #include "edgewise/sweep/shard.hpp"
 
 namespace edgewise::studies::campaign {

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/case_text.hpp"
+#include "edgewise/scene/minimise.hpp"
+#include "edgewise/studies/campaign/pair_source.hpp"
+#include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies::campaign {
 
@@ -51,6 +56,60 @@ CampaignProgress added_up(std::span<const CampaignProgress> parts) {
     }
     if (seen.size() < parts.front().question.shard.count) whole.next_block = 0;
     return whole;
+}
+
+namespace {
+
+/// Returns an identifier like "wrong_distance_of_vclip_aos_f32_in_grazing".
+std::string id_of(const Failure& failure) {
+    std::string id =
+        failure.what.substr(0, failure.what.find(':')) + " of " + failure.cell + " in " + failure.family;
+    for (char& c : id) {
+        if (c == ' ') c = '_';
+    }
+    return id;
+}
+
+}  // namespace
+
+scene::Case case_of(const PairSource& source, std::uint64_t pair) {
+    const PairPlace place = PairPlace::of(pair);
+    const Block block = source.block(place.block, place.number + 1);
+    scene::Case result{fmt::format("pair {}", pair), block.case_a, block.case_b, {}, {}};
+    if (block.refusal.empty()) std::tie(result.pose_a, result.pose_b) = block.poses[place.number];
+    return result;
+}
+
+std::string what_is_wrong(const scene::Case& of, const Cell& cell) {
+    Block block;
+    auto a = scene::body_from_case(of.a), b = scene::body_from_case(of.b);
+    if (!a || !b) return {};
+    block.a = std::move(*a);
+    block.b = std::move(*b);
+    block.poses = {{of.pose_a, of.pose_b}};
+    if (!truth::pair_error(block.a.vertices, of.pose_a, block.b.vertices, of.pose_b).empty()) return {};
+    const scene::Workload workload = workload_of(block);
+    const auto asker = cell.make_asker();
+    if (!asker->load(workload).empty()) return {};
+    const auto stored = asker->stored_bodies();
+    truth::StoredPair pair(stored[0].vertices, stored[1].vertices);
+    truth::ProvenPair known = pair.know(block.poses[0], Vec3d::Zero());
+    const Distance answer = asker->answer().front();
+    if (answer.status == Status::failed) return {};
+    const truth::CheckedAnswer checked = check_answer(answer, cell, pair, block.poses[0], known);
+    return what_is_wrong(checked, answer, pair, block.poses[0], known);
+}
+
+std::string failing_line(const PairSource& source, const Failure& failure, const Cell& cell) {
+    const scene::Case given = case_of(source, failure.pair);
+    scene::Case small = scene::minimise(given, [&](const scene::Case& tried) {
+                            return !what_is_wrong(tried, cell).empty();
+                        }).pair;
+    small.id = id_of(failure);
+    const std::string still = what_is_wrong(small, cell);
+    return scene::case_line(small,
+                            fmt::format("campaign, pair {}, {}: {}", failure.pair, failure.cell,
+                                        still.empty() ? failure.what + " (not seen again alone)" : still));
 }
 
 }  // namespace edgewise::studies::campaign

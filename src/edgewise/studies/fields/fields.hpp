@@ -10,17 +10,50 @@
 // once more: its ratio to itself is the noise; the advised groups; and a layout made by hand.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "edgewise/layout_parts/field_groups.hpp"
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/store/rows.hpp"
 #include "edgewise/studies/fields/co_access.hpp"
-#include "edgewise/studies/fields/trace_cost.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
+
+// Cost of a trace: distinct lines of tables per query, and the modelled misses of several machines in
+// their steady state. Traces of tables that were built and of predicted tables are counted in the same
+// way.
+
+/// Misses of a level, per query of all queries.
+struct LevelMissesPerQuery {
+    std::string machine, level;
+    double misses = 0;
+};
+
+struct TraceCost {
+    std::uint64_t queries = 0, lines = 0, reads = 0;  ///< sums, of tables
+    std::vector<LevelMissesPerQuery> misses;
+
+    [[nodiscard]] double lines_per_query() const { return per_query(lines); }
+    [[nodiscard]] double reads_per_query() const { return per_query(reads); }
+
+  private:
+    [[nodiscard]] double per_query(std::uint64_t sum) const {
+        return queries == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(queries);
+    }
+};
+
+/// A pass over all queries of a trace, as often as it is called.
+using TracePass = std::function<void(measure::TraceListener& listener)>;
+
+/// Runs two passes: the first fills caches and counts lines, the second counts misses.
+[[nodiscard]] TraceCost cost_of(const TracePass& pass, std::span<const measure::CacheMachine> machines);
 
 /// Default cell.
 inline const CellChoice fields_cell = {
@@ -96,5 +129,9 @@ struct FieldsAdvice {
 /// Calls on_round after each round. Throws std::invalid_argument for a cell that cannot be made, a layout
 /// without places of fields, or a program that was built without a layout that takes groups.
 [[nodiscard]] FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round);
+
+/// Row of the store for an advice, without status, and its figures.
+[[nodiscard]] store::CellRow fields_row(const CellChoice& choice);
+[[nodiscard]] std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice);
 
 }  // namespace edgewise::studies

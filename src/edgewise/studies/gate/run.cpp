@@ -7,7 +7,6 @@
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/gate/group.hpp"
-#include "edgewise/studies/gate/kernel.hpp"
 
 namespace edgewise::studies {
 

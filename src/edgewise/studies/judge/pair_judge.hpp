@@ -12,6 +12,7 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/scene/dumps/dump.hpp"
+#include "edgewise/scene/minimise.hpp"
 #include "edgewise/truth/accuracy_band.hpp"
 #include "edgewise/truth/certificate.hpp"
 #include "edgewise/truth/exact_distance.hpp"
@@ -85,5 +86,17 @@ struct JudgedResponse {
 [[nodiscard]] std::vector<Respondent> respondents_of(std::span<const bench::TableType* const> types,
                                                      std::span<const std::string> algorithms,
                                                      std::span<const bench::TableType* const> peers);
+
+// Finds a smaller pair for which the same respondent is still wrong in the same way.
+
+struct SmallerPair {
+    scene::Minimised found;
+    PairTruth truth;
+    JudgedResponse answer;  ///< to the smaller pair
+};
+
+/// Solids stay solids. The error over the scale stays at least a tenth of the original, so that no
+/// other failure takes its place. Empty if the respondent is not wrong when it is asked.
+[[nodiscard]] std::optional<SmallerPair> smaller_pair(const Respondent& respondent, const scene::Case& pair);
 
 }  // namespace edgewise::studies

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/studies/effort.hpp"
-#include "edgewise/studies/effort_rows.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 
 namespace edgewise::studies {
 

@@ -15,6 +15,9 @@ struct Rule {
     std::optional<Recurrence> recurrence = {};  ///< nothing: likewise
 };
 
+/// Their short names are for this table alone.
+namespace phase_rules {
+
 constexpr Recurrence once = Recurrence::once, step = Recurrence::step;
 
 constexpr std::string_view scan = "support: scan", climb = "support: climb", sub_distance = "sub-distance",
@@ -24,7 +27,7 @@ constexpr std::string_view scan = "support: scan", climb = "support: climb", sub
                            runner = "runner";
 
 // clang-format off
-constexpr Rule rules[] = {
+constexpr Rule all[] = {
     {"", "operator", ""},  // a lambda's
     {"algorithms/support.hpp", "scan_support", scan},
     {"algorithms/support.hpp", "scan_packs", scan},
@@ -96,6 +99,8 @@ constexpr Rule rules[] = {
 };
 // clang-format on
 
+}  // namespace phase_rules
+
 /// Returns the path within src/edgewise; nothing for other files, none of which has a phase.
 std::optional<std::string_view> own_file(std::string_view file) {
     constexpr std::string_view root = "src/edgewise/";
@@ -104,7 +109,7 @@ std::optional<std::string_view> own_file(std::string_view file) {
 }
 
 const Rule* rule_of(std::string_view file, std::string_view function) {
-    for (const Rule& rule : rules) {
+    for (const Rule& rule : phase_rules::all) {
         const bool is_folder = rule.place.empty() || rule.place.ends_with('/');
         const bool here = is_folder ? file.starts_with(rule.place) : file == rule.place;
         if (here && (rule.function.empty() || rule.function == function)) return &rule;

@@ -8,14 +8,17 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/vocabulary.hpp"
+#include "edgewise/sweep/study.hpp"
 
 namespace edgewise::studies::thrash {
 
 namespace {
 
+constexpr const char* thrash_run = "thrash";
 constexpr const char* large_shape = "sphere386";
 
 bool same_row(const Setting& a, const Setting& b) {
@@ -35,13 +38,12 @@ nlohmann::json parameters_of(const Setting& setting, const std::vector<OldMachin
             {"machine", machines[setting.machine].name()}};
 }
 
-store::CellRow row_of(store::Run run, const nlohmann::json& parameters, const std::string& shape,
+store::CellRow row_of(const char* run, const nlohmann::json& parameters, const std::string& shape,
                       const std::string& algorithm, const std::string& table, const Levels& levels) {
     const Polyhedron body = scene::make_shape(shape).or_throw();
     const bench::TableType& type = *bench::select_table_types(std::vector<std::string>{table}).front();
     store::CellRow row;
-    row.run = run;
-    row.scene = to_string(run);
+    row.run = row.scene = run;
     row.scene_parameters = parameters.dump();
     row.shape = shape;
     row.shape_source = "built-in";
@@ -131,7 +133,7 @@ void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& f
     const auto put = [&](const std::string& shape, const std::string& algorithm,
                          const std::vector<store::FigureRow>& figures, bool right) {
         store::CellRow row =
-            row_of(store::Run::thrash_realised, parameters, shape, algorithm, cell.setting.table, levels);
+            row_of("thrash_realised", parameters, shape, algorithm, cell.setting.table, levels);
         if (!cell.reason.empty()) row.status = store::CellStatus::unavailable, row.reason = cell.reason;
         if (!right) row.status = store::CellStatus::failed, row.reason = "answers under the pager differ";
         store.put_cell(build, row, figures);
@@ -145,7 +147,7 @@ void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& f
 
 /// The row that is stored last: where it is, all are.
 store::CellRow last_row(const Levels& levels) {
-    return row_of(store::Run::thrash, {{"complete", 1}, {"steps", levels.steps}}, large_shape, "vclip",
+    return row_of(thrash_run, {{"complete", 1}, {"steps", levels.steps}}, large_shape, "vclip",
                   levels.tables.front(), levels);
 }
 
@@ -188,6 +190,15 @@ std::vector<OutcomeGroup> groups_of(const Factorial& factorial) {
     return groups;
 }
 
+namespace {
+
+Levels levels_of(const sweep::SweepWork& work) {
+    Levels levels;
+    levels.seed = work.plan.seed;
+    return levels;
+}
+
+/// Returns true if this program has the table types of the levels.
 bool has_tables(const Levels& levels) {
     const auto types = bench::table_types();
     return std::all_of(levels.tables.begin(), levels.tables.end(), [&](const std::string& table) {
@@ -196,10 +207,18 @@ bool has_tables(const Levels& levels) {
     });
 }
 
-std::size_t thrash_units(const Levels& levels) { return scenes_to_trace(levels) + realised_cells; }
+/// Returns the number of scenes to trace and of cells to make real.
+std::size_t rows(const sweep::SweepWork& work) {
+    const Levels levels = levels_of(work);
+    return has_tables(levels) ? scenes_to_trace(levels) + realised_cells : 0;
+}
 
-bool run_thrash(const Levels& levels, const std::string& build, store::Store& store,
-                const std::function<void()>& on_scene, const std::atomic<bool>& stop) {
+/// Traces, scores, makes the best cells real and stores all of it, unless the build's rows are there.
+bool run(const sweep::SweepWork& work, store::Store& store, const sweep::OnStudyRow& on_row,
+         const std::atomic<bool>& stop) {
+    const Levels levels = levels_of(work);
+    const std::string build = bench::this_build().id;
+    const auto on_scene = [&] { on_row("figure 8", store::CellStatus::verified); };
     if (store.find_cell(build, last_row(levels).hash)) return true;
     const Factorial factorial = run_factorial(levels, on_scene, stop);
     if (stop) return false;
@@ -210,13 +229,26 @@ bool run_thrash(const Levels& levels, const std::string& build, store::Store& st
         on_scene();
     }
     for (const OutcomeGroup& group : groups_of(factorial)) {
-        const store::CellRow row =
-            row_of(store::Run::thrash, parameters_of(group.setting, factorial.machines), large_shape, "vclip",
-                   group.setting.table, levels);
+        const store::CellRow row = row_of(thrash_run, parameters_of(group.setting, factorial.machines),
+                                          large_shape, "vclip", group.setting.table, levels);
         store.put_cell(build, row, figures_of(group, factorial));
     }
     store.put_cell(build, last_row(levels), {});
     return true;
 }
 
+}  // namespace
+
 }  // namespace edgewise::studies::thrash
+
+namespace edgewise::studies {
+
+sweep::Study thrash_study() {
+    return {.name = thrash::thrash_run,
+            .counts = {0, 1, "runs"},
+            .rows = thrash::rows,
+            .seconds_each = [](const sweep::SweepWork&) { return 5.0; },
+            .run = thrash::run};
+}
+
+}  // namespace edgewise::studies

@@ -4,13 +4,9 @@
 // time step and machine; scene `thrash_realised`: a row for each curve of a cell made real.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <functional>
-#include <string>
+#include <cstddef>
 #include <vector>
 
-#include "edgewise/store/store.hpp"
 #include "edgewise/studies/thrash/factorial.hpp"
 #include "edgewise/studies/thrash/realised_cell.hpp"
 
@@ -32,16 +28,5 @@ struct OutcomeGroup {
 };
 
 [[nodiscard]] std::vector<OutcomeGroup> groups_of(const Factorial& factorial);
-
-/// Returns true if this program has the table types of the levels.
-[[nodiscard]] bool has_tables(const Levels& levels);
-
-/// Traces, scores, makes the best cells real and stores all of it, unless the build's rows are there.
-/// `on_scene` is notified of each traced scene and each realised cell. False when it was stopped.
-[[nodiscard]] bool run_thrash(const Levels& levels, const std::string& build, store::Store& store,
-                              const std::function<void()>& on_scene, const std::atomic<bool>& stop);
-
-/// How many notifications that makes.
-[[nodiscard]] std::size_t thrash_units(const Levels& levels);
 
 }  // namespace edgewise::studies::thrash

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/studies/campaign/failing_case.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
 namespace edgewise::studies::campaign {

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/studies/effort/effort.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+
+#include "edgewise/bench/trace/trace_names.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/measure/cache/lines_touched.hpp"
+#include "edgewise/measure/process/child_process.hpp"
+#include "edgewise/studies/effort/callgrind_pass.hpp"
+
+namespace edgewise::studies {
+
+namespace {
+
+using Count = measure::Expected<double>;
+using Counts = measure::Expected<measure::CallgrindCounts>;
+
+class ReadCounter final : public measure::TraceListener {
+  public:
+    /// `warm`: pairs keep their cache, so that a query that does not count started cold; else all do.
+    explicit ReadCounter(bool warm) : warm_(warm) {}
+
+    void on_access(const measure::TracedAccess& access) override {
+        lines_.on_access(access);
+        if (access.side == measure::TraceSide::scene) return;
+        if (access.field == static_cast<std::uint8_t>(Field::vertex)) vertex_bytes_ += access.bytes;
+        const bool iterates = access.step == static_cast<std::uint8_t>(bench::TraceStep::gjk_iteration);
+        if (!iterates) return;
+        supports_ += last_side_ != access.side;
+        last_side_ = access.side;
+    }
+
+    void on_query_end(bool counts) override {
+        lines_.on_query_end(true);
+        if (!warm_ || !counts) supports_ += 2;
+        last_side_.reset();
+    }
+
+    /// Sums over the queries.
+    [[nodiscard]] std::uint64_t vertex_bytes() const { return vertex_bytes_; }
+    [[nodiscard]] std::uint64_t lines() const { return lines_.sums().all.lines; }
+    /// Returns GJK's support searches: its iterations seek points on A and on B in turn, so each change of
+    /// side is a search; a cold query starts at a point of each.
+    [[nodiscard]] std::uint64_t supports() const { return supports_; }
+
+  private:
+    bool warm_;
+    measure::LineCounter lines_;
+    std::uint64_t vertex_bytes_ = 0, supports_ = 0;
+    std::optional<measure::TraceSide> last_side_;
+};
+
+/// Returns the bytes of a vertex's coordinates; a lossy layout has no simple number, so its ledger decides.
+double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
+    const std::string& storage = cell.type().storage;
+    if (storage == "double") return 3 * sizeof(double);
+    if (storage == "single") return 3 * sizeof(float);
+    return static_cast<double>(ledger[Component::vertex_coordinates]) /
+           static_cast<double>(cell.runner().stored_bodies()[0].vertex_count());
+}
+
+void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) {
+    if (effort.is_peer) {
+        effort.supports = effort.vertices_read = effort.lines_read =
+            Count::none("what a library reads cannot be told from outside");
+        return;
+    }
+    ReadCounter counter(cell.workload().warm);
+    cell.runner().trace(bench::TraceExtent::everything(), counter);
+    const auto queries = static_cast<double>(cell.workload().queries.size());
+    effort.vertices_read = {static_cast<double>(counter.vertex_bytes()) / bytes_of_vertex / queries};
+    effort.lines_read = {static_cast<double>(counter.lines()) / queries};
+    effort.supports = effort.algorithm == "gjk"
+                          ? Count{static_cast<double>(counter.supports()) / queries}
+                          : Count::none("V-Clip seeks no support points: its steps are features");
+}
+
+}  // namespace
+
+Counts counts_per_query(const measure::CallgrindCounts& few, const measure::CallgrindCounts& many, int passes,
+                        double queries) {
+    if (many.instructions <= few.instructions)
+        return measure::Refusal{"a run of more passes took no more instructions"};
+    const auto each = [&](double of_few, double of_many) { return (of_many - of_few) / passes / queries; };
+    measure::CallgrindCounts counts{each(few.instructions, many.instructions),
+                                    each(few.accesses, many.accesses), each(few.d1_misses, many.d1_misses),
+                                    each(few.ll_misses, many.ll_misses)};
+    if (few.mispredictions && many.mispredictions)
+        counts.mispredictions = each(*few.mispredictions, *many.mispredictions);
+    return {counts};
+}
+
+std::string compare_passes(const std::string& printed, const bench::PassSum& expected, bool is_peer) {
+    std::istringstream words(printed);
+    std::size_t queries = 0;
+    double distances = 0;
+    if (!(words >> queries >> distances)) return "it did not say what its pass gave";
+    const double allowed = is_peer ? verified_error_single * std::abs(expected.distances) : 0;
+    if (queries == expected.queries && std::abs(distances - expected.distances) <= allowed) return {};
+    return fmt::format("its pass gave other answers: {} distances add up to {}, not {} to {}", queries,
+                       distances, expected.queries, expected.distances);
+}
+
+std::string check_program(const CellChoice& choice, const Effort& effort, const std::string& program) {
+    const auto outcome = measure::run_program(pass_command(choice, program, few_passes));
+    if (!outcome.value) return outcome.reason;
+    if (outcome.value->exit_code != 0) {
+        const std::string& err = outcome.value->err;
+        return fmt::format("{} cannot run it: {}", program, err.substr(0, err.find('\n')));
+    }
+    return compare_passes(outcome.value->out, effort.passed, effort.is_peer);
+}
+
+Counts count_effort(const CellChoice& choice, const Effort& effort,
+                    const measure::Expected<measure::CacheGeometry>& geometry,
+                    const measure::Expected<std::string>& program) {
+    if (!geometry.value) return geometry.refusal();
+    if (!program.value) return program.refusal();
+    if (const std::string wrong = check_program(choice, effort, *program.value); !wrong.empty())
+        return Counts::none(
+            wrong, effort.is_peer ? "build edgewise_sim, and the library for a processor without AVX-512"
+                                  : "build edgewise_sim with EDGEWISE_SIM_LAYOUTS naming the table type");
+    const Counts few = callgrind_pass(choice, *geometry.value, *program.value, few_passes);
+    if (!few.value) return few;
+    const Counts many = callgrind_pass(choice, *geometry.value, *program.value, many_passes);
+    if (!many.value) return many;
+    return counts_per_query(*few.value, *many.value, many_passes - few_passes,
+                            static_cast<double>(effort.passed.queries));
+}
+
+Effort examine(const CellChoice& choice) {
+    const SingleCell cell(choice);
+    const bench::TableType& type = cell.type();
+    const Polyhedron& body = cell.runner().stored_bodies()[0];
+    const Ledger ledger = cell.runner().ledger();
+    Effort effort;
+    effort.layout = type.layout;
+    effort.precision = type.precision;
+    effort.table = type.name;
+    effort.algorithm = cell.algorithm();
+    effort.is_peer = type.is_peer;
+    effort.vertices = body.vertex_count();
+    effort.edges = body.edge_count();
+    effort.faces = body.face_count();
+    effort.table_bytes = static_cast<double>(ledger.total());
+    effort.object_bytes = static_cast<double>(cell.runner().object_bytes());
+    effort.pair_bytes = static_cast<double>(cell.runner().pair_bytes());
+    effort.wrong = cell.prepared().wrong();
+    effort.steps =
+        type.is_peer ? Count::none("a library does not tell its steps") : Count{cell.prepared().mean_steps()};
+    const double bytes_of_vertex = vertex_bytes(cell, ledger);
+    take_trace(cell, bytes_of_vertex, effort);
+    // A library may know neighbours that it does not expose: the lower of the two floors.
+    const bool knows_neighbours = type.is_peer || ledger[Component::topology] > 0;
+    effort.floor =
+        proof_floor(cell.workload(), cell.runner().stored_bodies(), {knows_neighbours, bytes_of_vertex});
+    effort.passed = cell.runner().prepared_pass()();
+    return effort;
+}
+
+}  // namespace edgewise::studies

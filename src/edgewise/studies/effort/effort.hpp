@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// The work of one cell's queries, on a table type of ours or in another library: instructions,
+// mispredicted branches and cache misses that Callgrind counts, next to steps, support points, vertices and
+// lines from traces, and next to a floor (proof_floor.hpp). Counts and models: nothing is timed.
+//
+// Passes are counted as the difference of two runs with different numbers of passes, divided by the
+// difference and by the queries: work before the first pass and after the last cancels. A pass resets
+// pairs, which is counted; poses are converted to a library's own type before. Branches are mispredicted by
+// Callgrind's predictor, not by a processor; misses are of two levels of least-recently-used caches.
+//
+// The effort run does so for one scene and shape, several table types, algorithms and peers: a row of the
+// store for each.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/named_answer.hpp"
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/expected.hpp"
+#include "edgewise/measure/process/callgrind.hpp"
+#include "edgewise/store/rows.hpp"
+#include "edgewise/store/store.hpp"
+#include "edgewise/studies/effort/proof_floor.hpp"
+#include "edgewise/studies/single_cell.hpp"
+
+namespace edgewise::studies {
+
+/// Passes of the two runs; their difference is counted.
+inline constexpr int few_passes = 1, many_passes = 3;
+
+/// Means per query over all queries of the scene.
+struct Effort {
+    std::string layout, precision, table, algorithm;
+    bool is_peer = false;
+    std::string wrong;  ///< of checked answers; empty: all are right. A peer's are its own to have
+    std::size_t vertices = 0, edges = 0, faces = 0;
+    double table_bytes = 0, object_bytes = 0, pair_bytes = 0;  ///< of one shape's table, and of a pair
+    bench::PassSum passed;                                     ///< what one pass of the queries gives
+    measure::Expected<measure::CallgrindCounts> counted = measure::Refusal{"not counted yet"};
+    measure::Expected<double> steps, supports, vertices_read, lines_read;
+    measure::Expected<ProofFloor> floor;
+};
+
+/// Counts of one query: those of `many` passes less those of `few`, divided by the difference in passes and
+/// by the queries. Unknown if the run of more passes counted less.
+[[nodiscard]] measure::Expected<measure::CallgrindCounts> counts_per_query(
+    const measure::CallgrindCounts& few, const measure::CallgrindCounts& many, int passes, double queries);
+
+/// Returns what is wrong with the sums that another program's pass printed; empty if they match this sum.
+/// Our tables must match to the last bit. A peer's adapter is compiled for another processor there, so its
+/// sums must match only as far as answers of single precision are right.
+[[nodiscard]] std::string compare_passes(const std::string& printed, const bench::PassSum& expected,
+                                         bool is_peer);
+
+/// Fills in everything except `counted`. Nothing else may allocate at the same time, because the heap shows
+/// how much a library's shapes take. Throws std::invalid_argument for a cell that cannot be made.
+[[nodiscard]] Effort examine(const CellChoice& choice);
+
+/// Runs a program for Valgrind once; returns what is wrong with its passes, empty if they equal the checked
+/// passes.
+[[nodiscard]] std::string check_program(const CellChoice& choice, const Effort& effort,
+                                        const std::string& program);
+
+/// Counts an effort that was examined, in processes of their own. `program`: as program_for_valgrind
+/// returns it.
+[[nodiscard]] measure::Expected<measure::CallgrindCounts> count_effort(
+    const CellChoice& choice, const Effort& effort, const measure::Expected<measure::CacheGeometry>& geometry,
+    const measure::Expected<std::string>& program);
+
+/// Default machine: Callgrind simulates its first two levels.
+inline constexpr const char* effort_machine = "skylake_sp";
+
+/// Default cell: pairs that turn as in a simulation, with bodies large enough to climb on.
+inline const CellChoice effort_cell = {.scene = "tumble",
+                                       .shape = "sphere386",
+                                       .parameters = {{"rotation_step", 0.1}},
+                                       .queries = 200,
+                                       .checked = 50};
+
+struct EffortPlan {
+    CellChoice cell = effort_cell;  ///< scene, shape, parameters, queries, seed: of every row
+    std::vector<const bench::TableType*> types, peers;
+    std::vector<std::string> algorithms;
+    measure::MachineChoice machine;
+};
+
+/// One row, ready for a store.
+struct EffortRow {
+    store::CellRow cell;
+    std::vector<store::FigureRow> figures;
+};
+
+/// Table type and algorithm, or peer, of a row, and the choice that runs it.
+struct EffortContender {
+    const bench::TableType* type;
+    CellChoice choice;
+};
+
+/// Returns the contenders in the order of the rows: table types with their algorithms, then peers.
+[[nodiscard]] std::vector<EffortContender> contenders(const EffortPlan& plan);
+
+/// Returns the machine's first two levels as Callgrind simulates them, or why it cannot.
+[[nodiscard]] measure::Expected<measure::CacheGeometry> geometry_of(const measure::MachineChoice& choice);
+
+/// Returns figures, each a number or the reason for none. `machine`: its name, for figures of caches.
+[[nodiscard]] std::vector<store::FigureRow> effort_figures(const Effort& effort, const std::string& machine);
+
+/// Examines rows for which `wanted` is true one after the other, then counts several at a time. Calls
+/// `on_row` for each, one at a time, with its place in the plan's order. Returns false if it was stopped
+/// before the last row.
+[[nodiscard]] bool run_effort(const EffortPlan& plan,
+                              const std::function<bool(const store::CellRow&)>& wanted,
+                              const std::function<void(std::size_t place, const EffortRow&)>& on_row,
+                              const std::atomic<bool>& stop);
+
+/// Runs as run_effort and writes to the store; skips rows that are already counted there.
+[[nodiscard]] bool store_effort(const EffortPlan& plan, const std::string& build, store::Store& store,
+                                const std::function<void(std::size_t place, const EffortRow&)>& on_row,
+                                const std::atomic<bool>& stop);
+
+}  // namespace edgewise::studies

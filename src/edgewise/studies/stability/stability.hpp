@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+//
+// The stability run: every hard family x algorithm x table type, judged by the exact oracle, with
+// certificates and depths of some, and time against signed gap. Each result is a row of the store under the
+// scene `stability`.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edgewise/bench/registry.hpp"
+#include "edgewise/store/store.hpp"
+#include "edgewise/sweep/shard.hpp"
+
+namespace edgewise::studies {
+
+/// `run` and scene of the rows.
+inline constexpr const char* stability_run = "stability";
+
+/// The family of real hulls, the one that asks for mesh files.
+inline constexpr const char* real_family = "real_hulls_at_gaps";
+
+/// Table type on which V-Clip is also checked raw.
+inline constexpr const char* raw_type = "aos_f64";
+
+struct StabilityRow {
+    store::CellRow cell;
+    std::vector<store::FigureRow> figures;
+};
+
+struct StabilityPlan {
+    std::vector<std::string> families;  ///< empty: all
+    std::size_t count = 200;            ///< poses per family
+    std::size_t proofs = 200;           ///< poses with depth, certificate and time, at most
+    std::uint64_t seed = 1;
+    std::vector<const bench::TableType*> types;
+    std::vector<std::string> algorithms;
+    bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
+    std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
+    /// Returns the row of that hash from an earlier run, which is not measured again; may be empty.
+    std::function<std::optional<StabilityRow>(const std::string& hash)> stored = {};
+};
+
+struct StabilitySummary {
+    std::size_t rows = 0, failed = 0, unavailable = 0;
+    bool stopped = false;  ///< before the last row
+};
+
+/// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with
+/// each row as soon as it is there.
+StabilitySummary run_stability(const StabilityPlan& plan,
+                               const std::function<void(const StabilityRow&)>& on_row,
+                               const std::atomic<bool>& stop);
+
+/// Returns the number of rows of a plan.
+[[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
+
+/// Runs into the store, with the seconds of each family.
+StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
+                                 const std::function<void(const StabilityRow&)>& on_row,
+                                 const std::atomic<bool>& stop);
+
+/// Keeps only the shard's families; returns false if it has none. `seconds`: as for sweep::keep_shard.
+[[nodiscard]] bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,
+                              const std::map<std::string, double>& seconds);
+
+}  // namespace edgewise::studies
