@@ -24,16 +24,17 @@ std::string verdict_on(const std::string& path, const std::string& include) {
 TEST(DependencyRule, CatchesPlantedViolations) {
     EXPECT_EQ(verdict_on("src/edgewise/geometry/vec.hpp", "edgewise/table/ring.hpp"),
               "src/edgewise/geometry/vec.hpp:2: geometry may not include table (edgewise/table/ring.hpp)\n");
-    const char* const forbidden[][2] = {{"src/edgewise/algorithms/vclip/x.hpp", "edgewise/truth/dyadic.hpp"},
-                                        {"src/edgewise/algorithms/gjk.hpp", "edgewise/layouts/aos.hpp"},
-                                        {"src/edgewise/cli/main.cpp", "edgewise/probes/time.hpp"},
-                                        {"layouts/aos.hpp", "edgewise/algorithms/gjk.hpp"},
-                                        {"probes/time.hpp", "edgewise/sweep/run.hpp"},
-                                        {"reports/page/page.cpp", "edgewise/sweep/run.hpp"},
-                                        {"src/edgewise/measure/machine/machine.hpp", "edgewise/table/ring.hpp"},
-                                        {"src/edgewise/table/ring.hpp", "ring_edge.hpp"},
-                                        {"src/edgewise/table/ring.hpp", "edgewise/kitchen/sink.hpp"},
-                                        {"src/edgewise/kitchen/sink.hpp", "edgewise/geometry/vec.hpp"}};
+    const char* const forbidden[][2] = {
+        {"src/edgewise/algorithms/vclip/x.hpp", "edgewise/truth/dyadic.hpp"},
+        {"src/edgewise/algorithms/gjk.hpp", "edgewise/layouts/aos.hpp"},
+        {"src/edgewise/cli/main.cpp", "edgewise/probes/time.hpp"},
+        {"layouts/aos.hpp", "edgewise/algorithms/gjk.hpp"},
+        {"probes/time.hpp", "edgewise/sweep/run.hpp"},
+        {"reports/page/page.cpp", "edgewise/sweep/run.hpp"},
+        {"src/edgewise/measure/machine/machine.hpp", "edgewise/table/ring.hpp"},
+        {"src/edgewise/table/ring.hpp", "ring_edge.hpp"},
+        {"src/edgewise/table/ring.hpp", "edgewise/kitchen/sink.hpp"},
+        {"src/edgewise/kitchen/sink.hpp", "edgewise/geometry/vec.hpp"}};
     for (const auto& [path, include] : forbidden) EXPECT_NE(verdict_on(path, include), "") << path;
 }
 
