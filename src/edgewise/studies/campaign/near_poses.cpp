@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "edgewise/scene/hard/maker.hpp"
+#include "edgewise/scene/hard/families.hpp"
 #include "edgewise/studies/campaign/block_seed.hpp"
 #include "edgewise/studies/campaign/separation.hpp"
 
