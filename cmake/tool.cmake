@@ -79,7 +79,7 @@ edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene
     src/edgewise/studies/gate/speed_record.cpp src/edgewise/studies/thrash/figure_8_facts.cpp src/edgewise/studies/thrash/memory_demand.cpp
     src/edgewise/studies/thrash/query_time.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
-    src/edgewise/truth/optimality.cpp src/edgewise/truth/support_filter.cpp)
+    src/edgewise/truth/exact_proof.cpp src/edgewise/truth/support_filter.cpp)
 if(EDGEWISE_SANITIZE)  # truth is slow and manages no memory by hand: the library's own checks instead of sanitizers
     edgewise_sources(oracle src/edgewise/truth)
     set_source_files_properties(${oracle} PROPERTIES COMPILE_OPTIONS "-O2;-fno-sanitize=all" COMPILE_DEFINITIONS ${EDGEWISE_CHECKED}

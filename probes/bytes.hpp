@@ -9,10 +9,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/measure/statistics.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::probes {
@@ -26,7 +29,26 @@ struct TableBytes {
 
 /// Over a family of growing triangulated spheres: tables are really built, once for each table type and
 /// parts.
-[[nodiscard]] std::span<const TableBytes> size_family(const bench::TableType& type, Parts parts);
+[[nodiscard]] inline std::span<const TableBytes> size_family(const bench::TableType& type, Parts parts) {
+    static const std::vector<Polyhedron> bodies = [] {
+        std::vector<Polyhedron> spheres;
+        for (const char* name : {"sphere8", "sphere18", "sphere38", "sphere66", "sphere102", "sphere218",
+                                 "sphere386", "sphere1538"})
+            spheres.push_back(scene::make_shape(name).or_throw());
+        return spheres;
+    }();
+    static std::map<std::pair<std::string, Parts>, std::vector<TableBytes>> known;
+    auto [place, is_new] = known.try_emplace({type.name, parts});
+    if (is_new) {
+        for (const Polyhedron& body : bodies) {
+            const auto stored = type.stored_body(body);
+            if (!stored) continue;  // too large for the layout
+            place->second.push_back(
+                {stored->vertex_count(), stored->edge_count(), type.ledger(*stored, parts)});
+        }
+    }
+    return place->second;
+}
 
 class bytes {
   public:

@@ -82,7 +82,7 @@ class StepWatch {
         }
     }
 
-    /// The first step of a population knows no other.
+    /// The first step of a population has no step before it and does not count.
     [[nodiscard]] bool counts(std::size_t i) const { return !workload_.frames[i].starts_anew; }
 
     [[nodiscard]] std::size_t end_of(std::size_t i) const {

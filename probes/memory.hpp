@@ -22,7 +22,8 @@ struct memory {
                 store::figure("memory.requested_bytes", use.requested),
                 store::figure("memory.taken_bytes", use.taken),
                 store::figure("memory.resident_bytes", use.resident,
-                              "this allocator's pages cannot be told from other memory", "allocator=arena"),
+                              "this allocator's pages cannot be distinguished from other memory",
+                              "allocator=arena"),
                 store::figure("memory.materialised", use.materialised)};
     }
 };

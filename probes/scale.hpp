@@ -22,7 +22,7 @@ class scale {
         "GJK over one table at 64 scales beside 64 tables: time, bytes, time to build";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        if (!cell.verified) return none("a checked answer is wrong", "mend it");
+        if (!cell.verified) return none("a checked answer is wrong", "fix the wrong answer first");
         if (!cell.plain) return none("measured for the cell without further axes", "that cell");
         if (cell.algorithm.name != "gjk")
             return none("V-Clip needs a table of the stretched body", "algorithm gjk");

@@ -19,7 +19,7 @@ class support {
         "median time of a support query, from a cold and a warm start";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        if (!cell.verified) return none("a checked answer is wrong", "mend it");
+        if (!cell.verified) return none("a checked answer is wrong", "fix the wrong answer first");
         if (!cell.plain) return none("measured for the cell without further axes", "that cell");
         if (cell.algorithm.name != "gjk") return none("only GJK asks for support points", "algorithm gjk");
         const bench::SupportTimes times = cell.runner.support_times(repetitions);

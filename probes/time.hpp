@@ -66,11 +66,12 @@ class time {
             baseline.push_back(*beside);
         }
         const bool untold = !rounds.empty() && rounds.front().timing.either_queries > 0;
-        const std::string reason = rounds.empty()           ? "no round was timed"
-                                   : each.empty() && untold ? "what was asked does not tell this kind of pair"
-                                   : each.empty()           ? none
-                                                            : "too few rounds for an interval";
-        const std::string remedy = each.empty() && untold ? "see all pairs, or a cell that needs more"
+        const std::string reason = rounds.empty() ? "no round was timed"
+                                   : each.empty() && untold
+                                       ? "the queries asked for do not distinguish this kind of pair"
+                                   : each.empty() ? none
+                                                  : "too few rounds for an interval";
+        const std::string remedy = each.empty() && untold ? "look at all pairs, or at a cell that needs more"
                                    : each.empty() ? "ask for more queries, or run the sweep again: it resumes"
                                                   : "ask for more rounds";
         const auto figure = [&](const store::FigureName& name, std::optional<double> value) {

@@ -97,7 +97,7 @@ class work {
                 store::mean_figure(share_of, counts.queries - counts.warm, counts.queries)};
     }
 
-    /// None of it depends on the layout, so it is done for one.
+    /// The inner work does not depend on the layout, so it is observed for one layout.
     [[nodiscard]] static AlgorithmWork work_of(const bench::ProbedCell& cell) {
         AlgorithmWork work;
         if (!cell.verified) return work;

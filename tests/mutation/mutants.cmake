@@ -152,7 +152,7 @@ edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.ho
     ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
 edgewise_mutant(filter_without_margin truth/support_filter.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
     ExactDistance*:ExactVerdict* ${unit}/truth/exact_distance_test.cpp ${unit}/truth/exact_verdict_test.cpp)
-edgewise_mutant(proof_takes_negative_weights truth/optimality.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
+edgewise_mutant(proof_takes_negative_weights truth/exact_proof.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
     ExactDistance.proof* ${unit}/truth/exact_distance_test.cpp)
 edgewise_mutant(certificate_rounds_inward truth/certificate.cpp [[std::nextafter(stored.upper + error, infinity)]] [[std::nextafter(stored.upper + error, -infinity)]]
     Certificate.widen* ${unit}/truth/certificate_test.cpp)

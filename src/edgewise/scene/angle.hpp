@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sine and cosine of an angle without libm, whose last bits differ from machine to machine.
+// Sine and cosine of an angle without libm, because the last bits of libm differ between machines.
 //
 // The angle x is reduced by whole turns to [-pi, pi]; with t = tan(x/4), |t| <= 1, two half-angle steps give
 //     tan(x/2) -> cos(x/2) = (1 - t^2)/(1 + t^2), sin(x/2) = 2t/(1 + t^2), and from them the turn itself.

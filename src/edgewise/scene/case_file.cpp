@@ -112,7 +112,7 @@ template <std::size_t Count>
 std::array<double, Count> numbers(const Json& list, const std::string& field) {
     if (!list.is_array()) throw Fault{fmt::format("{} is not an array of {} numbers", field, Count)};
     if (list.size() != Count) {
-        throw Fault{fmt::format("{} has {} numbers, wants {}", field, list.size(), Count)};
+        throw Fault{fmt::format("{} has {} numbers and needs {}", field, list.size(), Count)};
     }
     std::array<double, Count> values{};
     for (std::size_t i = 0; i < Count; ++i) {
@@ -174,7 +174,7 @@ Mat3d matrix_of(const Json& list, const std::string& field) {
     if (!list.is_array()) throw Fault{fmt::format("{} is not an array", field)};
     const bool in_rows = std::ranges::any_of(list, [](const Json& row) { return row.is_array(); });
     if (!in_rows) return Eigen::Map<const Mat3d>(numbers<9>(list, field).data());
-    if (list.size() != 3) throw Fault{fmt::format("{} has {} rows, wants 3", field, list.size())};
+    if (list.size() != 3) throw Fault{fmt::format("{} has {} rows and needs 3", field, list.size())};
     Mat3d matrix;
     for (int i = 0; i < 3; ++i)
         matrix.row(i) = point(list[static_cast<std::size_t>(i)], fmt::format("{}[{}]", field, i));

@@ -2,6 +2,7 @@
 #include "edgewise/scene/case_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -25,9 +26,9 @@ LineJson body_json(const CaseBody& body) {
 }
 
 LineJson pose_json(const Pose& pose) {
-    LineJson entries = LineJson::array();
-    for (int k = 0; k < 9; ++k) entries.push_back(pose.rotation(k / 3, k % 3));
-    return {{"R", entries}, {"t", {pose.translation.x(), pose.translation.y(), pose.translation.z()}}};
+    const auto rows = pose.rotation.reshaped<Eigen::RowMajor>();
+    return {{"R", std::vector<double>(rows.begin(), rows.end())},
+            {"t", {pose.translation.x(), pose.translation.y(), pose.translation.z()}}};
 }
 
 /// Text of a point, such as "(1, 2, 3)", with few enough digits to be readable.
@@ -41,10 +42,9 @@ bool is_identity(const Pose& pose) { return pose.rotation.isIdentity(0) && pose.
 std::string fcl_pose(const char* name, const Pose& pose) {
     std::string text =
         fmt::format("    fcl::Transform3d {0} = fcl::Transform3d::Identity();\n    {0}.matrix() <<", name);
-    for (int row = 0; row < 3; ++row)
-        text += fmt::format(" {}, {}, {}, {},", pose.rotation(row, 0), pose.rotation(row, 1),
-                            pose.rotation(row, 2), pose.translation[row]);
-    return text + " 0, 0, 0, 1;\n";
+    Eigen::Matrix<double, 3, 4> rows;
+    rows << pose.rotation, pose.translation;
+    return text + fmt::format(" {}, 0, 0, 0, 1;\n", fmt::join(rows.reshaped<Eigen::RowMajor>(), ", "));
 }
 
 std::string fcl_body(const char* name, const Polyhedron& body) {
@@ -70,10 +70,9 @@ std::string bullet_body(const char* name, const CaseBody& body) {
 }
 
 std::string bullet_pose(const char* name, const Pose& pose) {
-    std::string text = fmt::format("    btTransform {0};\n    {0}.setBasis(btMatrix3x3(", name);
-    for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : ", ", pose.rotation(k / 3, k % 3));
-    return text + fmt::format("));\n    {}.setOrigin(btVector3({}, {}, {}));\n", name, pose.translation.x(),
-                              pose.translation.y(), pose.translation.z());
+    return fmt::format(
+        "    btTransform {0};\n    {0}.setBasis(btMatrix3x3({1}));\n    {0}.setOrigin(btVector3({2}));\n",
+        name, fmt::join(pose.rotation.reshaped<Eigen::RowMajor>(), ", "), fmt::join(pose.translation, ", "));
 }
 
 }  // namespace
@@ -88,8 +87,7 @@ Turn turn_of(const Mat3d& r) {
     if (cosine > 0 || sine > least_sine) return turn;
     // Nearly half a turn: (R + R^T) / 2 - cosine I is the axis times itself, times 1 - cosine.
     int longest = 0;
-    for (int i = 1; i < 3; ++i)
-        if (r(i, i) > r(longest, longest)) longest = i;
+    r.diagonal().maxCoeff(&longest);
     Vec3d axis = (r.col(longest) + r.row(longest).transpose()) / 2;
     axis[longest] -= cosine;
     turn.axis = axis * ((dot(axis, twist) < 0 ? -1 : 1) / norm(axis));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/scene/minimise.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,13 +13,9 @@ namespace edgewise::scene {
 
 namespace {
 
-/// In a decimal text with that many significant digits, read back.
+/// The number rounded to that many significant decimal digits.
 double with_digits(double value, int digits) {
-    char text[40];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
-    *end = '\0';
-    return std::strtod(text, nullptr);
+    return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
 /// Number of significant digits of the shortest text that reads back the same.
@@ -29,17 +27,13 @@ std::size_t significant_digits(double value) {
     return value == 0 ? 0 : digits;
 }
 
-/// Visits the numbers that may be rounded. Rotations are left out: a rounded one is no rotation any more.
-template <class Use>
-void each_number(Case& pair, const Use& use) {
-    for (CaseBody* body : {&pair.a, &pair.b}) {
-        for (Vec3d& vertex : body->vertices) {
-            for (int k = 0; k < 3; ++k) use(vertex[k]);
-        }
-    }
-    for (Pose* pose : {&pair.pose_a, &pair.pose_b}) {
-        for (int k = 0; k < 3; ++k) use(pose->translation[k]);
-    }
+/// The numbers that may be rounded. Rotations are left out: a rounded one is no rotation any more.
+std::vector<double*> numbers_of(Case& pair) {
+    std::vector<double*> numbers;
+    const auto add = [&](Vec3d& v) { numbers.insert(numbers.end(), {&v[0], &v[1], &v[2]}); };
+    for (CaseBody* body : {&pair.a, &pair.b}) std::ranges::for_each(body->vertices, add);
+    for (Pose* pose : {&pair.pose_a, &pair.pose_b}) add(pose->translation);
+    return numbers;
 }
 
 class Search {
@@ -78,7 +72,7 @@ class Search {
         return take_if_failing(std::move(candidate));
     }
 
-    /// One pose the identity, the other what it is seen from there; else parts of them the identity.
+    /// Tries the pair as seen from A, then the identity for parts of each pose.
     bool simpler_poses() {
         bool simpler = seen_from_a();
         for (Pose Case::*pose : {&Case::pose_a, &Case::pose_b}) {
@@ -109,7 +103,7 @@ class Search {
         return take_if_failing(std::move(candidate));
     }
 
-    /// ddmin: ever smaller runs of vertices left out. Not of a body with faces.
+    /// ddmin: leaves out ever smaller runs of vertices. Not for a body with faces, which name vertices.
     bool fewer_vertices(CaseBody Case::*body) {
         if ((best_.*body).faces) return false;
         bool fewer = false;
@@ -132,33 +126,29 @@ class Search {
         return fewer;
     }
 
-    /// All numbers with fewer digits at once, then each by itself; 0 and whole numbers are tried first.
+    /// Rounds all numbers to fewer digits at once, then each by itself; the fewest digits are tried first.
     bool rounder_numbers() {
         bool rounder = false;
         for (int digits = 1; digits <= 12 && !rounder; ++digits) {
             Case candidate = best_;
-            each_number(candidate, [&](double& value) { value = with_digits(value, digits); });
+            for (double* value : numbers_of(candidate)) *value = with_digits(*value, digits);
             if (size_of(candidate).digits < size_of(best_).digits)
                 rounder = take_if_failing(std::move(candidate));
         }
-        std::size_t count = 0;
-        each_number(best_, [&](const double&) { ++count; });
+        const std::size_t count = numbers_of(best_).size();
         for (std::size_t number = 0; number < count && !at_limit(); ++number)
             rounder = rounder_number(number) || rounder;
         return rounder;
     }
 
     bool rounder_number(std::size_t number) {
-        double value = 0;
-        std::size_t at = 0;
-        each_number(best_, [&](const double& here) { value = at++ == number ? here : value; });
+        const double value = *numbers_of(best_)[number];
         const std::size_t had = significant_digits(value);
         for (int digits = 0; digits < static_cast<int>(had); ++digits) {
             const double simpler = digits == 0 ? 0 : with_digits(value, digits);
             if (significant_digits(simpler) >= had) continue;
             Case candidate = best_;
-            at = 0;
-            each_number(candidate, [&](double& here) { here = at++ == number ? simpler : here; });
+            *numbers_of(candidate)[number] = simpler;
             if (take_if_failing(std::move(candidate))) return true;
         }
         return false;
@@ -178,7 +168,7 @@ Minimised minimise(const Case& failing, const StillFails& still_fails, std::size
 CaseSize size_of(const Case& pair) {
     CaseSize size{pair.a.vertices.size() + pair.b.vertices.size(), 0};
     Case copy = pair;
-    each_number(copy, [&](const double& value) { size.digits += significant_digits(value); });
+    for (const double* value : numbers_of(copy)) size.digits += significant_digits(*value);
     return size;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Matrices that users write for rotations: in case files, in messages of other programs, on the command line.
-// They have only the digits that were printed. A matrix that is nearly a rotation is replaced by the nearest
-// one, so that everything after it (answers, exact answers, certificates) is about the same bodies. A scale,
-// a mirror image or a typing error is refused: no answer about another matrix would be the user's.
+// Such a matrix has only the digits that were printed. A matrix that is nearly a rotation is replaced by the
+// nearest one, so that everything after it (answers, exact answers, certificates) is about the same bodies. A
+// scale, a mirror image or a typing error is refused: no answer about another matrix would be the user's.
 #pragma once
 
 #include <algorithm>
@@ -65,11 +65,11 @@ inline std::string scale_text(const Directions& of) {
 /// Says why a matrix is refused that is too far from a rotation.
 inline std::string what_it_is(const Mat3d& r) {
     const double largest = r.cwiseAbs().maxCoeff();
-    if (largest == 0) return "is zero, and wants a rotation";
+    if (largest == 0) return "is zero, and must be a rotation";
     const Directions of = directions_of(r, largest);
     const double least_volume = sloppiest_written_rotation * sloppiest_written_rotation;
     if (std::abs(determinant(of.unit)) < least_volume)
-        return "flattens the body (its columns lie in one plane), and wants a rotation";
+        return "flattens the body (its columns lie in one plane), and must be a rotation";
     if (ortho_error(of.unit) <= sloppiest_written_rotation) return scale_text(of);
     return message("is no rotation: R^T R differs from the identity by ", rounded(ortho_error(r)),
                    ", and at most ", sloppiest_written_rotation, " is taken");

@@ -36,7 +36,7 @@ constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a scre
 constexpr double longest_time_step = 1000;    ///< s
 constexpr double largest_margin = 1e6;        ///< extents of the larger body
 
-// A scene has a file of results and a row of every table; more are a slip.
+// Each scene takes a file of results and a row in every table, so larger numbers are taken for a mistake.
 constexpr std::size_t most_varied = 1000, most_points = 10'000;
 
 // Velocities in the units of scenes, which know steps alone: rad per step, and body sizes per step.
@@ -65,12 +65,13 @@ Value member(const Json& json, const char* key, const Value& standard, const cha
     try {
         return json.at(key).get<Value>();
     } catch (const Json::exception&) {
-        throw Fault{fmt::format("{} wants {}", key, wanted)};
+        throw Fault{fmt::format("{} must be {}", key, wanted)};
     }
 }
 
 void check_members(const Json& json) {
-    if (!json.is_object()) throw Fault{"wants one object: {\"scene\": ..., \"shapes\": [...], ...}"};
+    if (!json.is_object())
+        throw Fault{"the file must be one object: {\"scene\": ..., \"shapes\": [...], ...}"};
     if (const std::string unknown = input::unknown_member(json, "a scene file", members); !unknown.empty())
         throw Fault{unknown};
     for (const char* key : {"scene", "shapes"}) {
@@ -92,7 +93,7 @@ class GivenParameters {
             return;
         }
         if (!value.is_number())
-            throw Fault{fmt::format("{} = {} wants a number{}", name, value.dump(),
+            throw Fault{fmt::format("{} = {} must be a number{}", name, value.dump(),
                                     is_turn(name) ? " or \"random\"" : "")};
         const auto [parameter, number] = in_steps(name, value.get<double>(), units_);
         take(where, parameter, number);
@@ -115,7 +116,7 @@ class GivenParameters {
 const Json& object_at(const Json& json, const char* key) {
     static const Json empty = Json::object();
     if (!json.contains(key)) return empty;
-    if (!json.at(key).is_object()) throw Fault{fmt::format("{} wants an object of numbers by name", key)};
+    if (!json.at(key).is_object()) throw Fault{fmt::format("{} must be an object of numbers by name", key)};
     return json.at(key);
 }
 
@@ -123,10 +124,10 @@ const Json& object_at(const Json& json, const char* key) {
 std::vector<std::pair<std::string, Json>> varied(const Json& json) {
     std::vector<std::pair<std::string, Json>> values;
     const Json& vary = object_at(json, "vary");
-    if (vary.size() > 1) throw Fault{"vary wants one parameter; write a file for each of the others"};
+    if (vary.size() > 1) throw Fault{"vary takes one parameter; write one file for each parameter"};
     for (const auto& [name, list] : vary.items()) {
         if (!list.is_array() || list.empty())
-            throw Fault{fmt::format("vary.{} wants a list of values", name)};
+            throw Fault{fmt::format("vary.{} must be a list of values", name)};
         if (list.size() > most_varied)
             throw Fault{fmt::format("vary.{} has {} values, more than the {} of one file", name, list.size(),
                                     most_varied)};
@@ -170,7 +171,7 @@ std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& cont
     for (const auto& name :
          member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
         shapes.push_back(shape_called(name, context, warning));
-    if (shapes.empty()) throw Fault{"shapes wants at least one name"};
+    if (shapes.empty()) throw Fault{"shapes needs at least one name"};
     if (const std::string twice = shape_given_twice(shapes); !twice.empty()) throw Fault{"shapes: " + twice};
     return shapes;
 }
@@ -196,7 +197,7 @@ Needs needs_of(const Json& json) {
 /// Margin for needs = nearer; 0 if none is given.
 double margin_of(const Json& json, Needs needs) {
     if (!json.contains("margin")) return 0;
-    if (needs != Needs::nearer) throw Fault{"margin is of needs = nearer: leave it out, or write both"};
+    if (needs != Needs::nearer) throw Fault{"margin is only for needs = nearer: leave it out, or write both"};
     const auto margin = member<double>(json, "margin", 0, "a number");
     if (!(margin > 0 && margin <= largest_margin))
         throw Fault{fmt::format("margin = {} is out of bounds; choose above 0, to {:.0f} extents", margin,

@@ -34,7 +34,7 @@ std::vector<Vec3d> tetra_points() {
             {-corner, -corner, corner}};
 }
 
-/// The N of "sphereN", if that is what the name looks like.
+/// Returns the N of a name "sphereN"; no value for other names.
 std::optional<std::size_t> sphere_count(std::string_view name) {
     if (name.substr(0, sphere_prefix.size()) != sphere_prefix) return std::nullopt;
     const std::string_view digits = name.substr(sphere_prefix.size());

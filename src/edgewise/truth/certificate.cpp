@@ -100,7 +100,7 @@ SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simpl
     SubsetTrial<IntegerVec> line = subset_of<IntegerVec>(found, ~0U, nullptr);
     if (!find_direction(line))
         throw std::logic_error("certificate: a simplex of exact_distance has no nearest point");
-    line.point = {};  // they end with this function
+    line.point = {};  // these pointers must not outlive `found`
     return line;
 }
 

@@ -13,7 +13,8 @@ namespace {
 /// NaN is the worst.
 double worse(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-/// How far an answer may be beyond the true distance: gap_tolerance of itself, so a little more of the truth.
+/// The excess that a gap tolerance allows: gap_tolerance times the answer, so a little more than that times
+/// the true distance.
 double given_away(double gap_tolerance, double distance) {
     return gap_tolerance / (1 - gap_tolerance) * distance;
 }
@@ -35,7 +36,7 @@ void check_verdict(const Claim& claim, bool separated, std::optional<double> gap
     if (claim.failed || (claim.separated && std::isnan(claim.distance))) checked.verdict_wrong = true;
 }
 
-/// Nothing where the interval proves nothing.
+/// Returns no value if the interval does not prove the answer right.
 std::optional<CheckedAnswer> check_by_interval(const Claim& claim, const ProvenPair& known,
                                                const AccuracyBand& band, const AllowedErrors& allowed) {
     CheckedAnswer checked;

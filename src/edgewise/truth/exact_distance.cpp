@@ -9,7 +9,7 @@
 
 #include "edgewise/truth/depth/common_interior.hpp"
 #include "edgewise/truth/dyadic.hpp"
-#include "edgewise/truth/optimality.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 
 namespace edgewise::truth {
 

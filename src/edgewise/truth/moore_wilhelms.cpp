@@ -14,7 +14,7 @@ constexpr std::size_t fewest_faces_of_a_solid = 4;
                        [&](const Plane<double>& plane) { return plane.distance(point) < 0; });
 }
 
-/// Some of the open segment lies inside all planes.
+/// Returns true if a part of the open segment lies inside all planes.
 [[nodiscard]] bool pierces(const Polyhedron& body, const Vec3d& tail, const Vec3d& head) {
     double enter = 0, leave = 1;
     for (const Plane<double>& plane : body.face_planes) {
@@ -33,7 +33,7 @@ constexpr std::size_t fewest_faces_of_a_solid = 4;
     return sum / static_cast<double>(ring.size());
 }
 
-/// Vertices, edges, face centroids of the visitor inside the host.
+/// Returns true if a vertex, an edge or a face centroid of the visitor is inside the host.
 [[nodiscard]] bool visits(const Polyhedron& host, const Polyhedron& visitor,
                           const Transform<double>& host_from_visitor) {
     std::vector<Vec3d> points;

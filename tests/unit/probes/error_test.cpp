@@ -31,22 +31,22 @@ std::vector<truth::CheckedAnswer> ten_answers() {
 
 TEST(Error, IsTheWorstAndVerdictsAreCounted) {
     const auto checked = ten_answers();
-    auto found = by_name(error::figures(checked, {1000, 1500, 3, 2, 17, 5, 8}));
-    EXPECT_EQ(found["checked"].value, 10);
-    EXPECT_EQ(found["worst_error_stored"].value, checked[9].error / 2);
-    EXPECT_EQ(found["worst_error_given"].value, checked[9].error_given / 2);
-    EXPECT_EQ(found["wrong_verdicts"].value, 1);
-    EXPECT_EQ(found["wrong_answers"].value, 2);
-    EXPECT_EQ(found["verdicts_in_band"].value, 1);
-    EXPECT_EQ(found["separated"].value, 7);
-    EXPECT_EQ(found["touching"].value, 1);
-    EXPECT_EQ(found["overlapping"].value, 2);
-    EXPECT_EQ(found["fallbacks"].value, 3);
-    EXPECT_EQ(found["cycles"].value, 2);
-    EXPECT_EQ(found["refinements"].value, 5);
-    EXPECT_EQ(found["escapes"].value, 8);
-    EXPECT_EQ(found["mean_steps"].value, 1.5);
-    EXPECT_EQ(found["max_steps"].value, 17);
+    expect_values(error::figures(checked, {1000, 1500, 3, 2, 17, 5, 8}),
+                  {{"checked", 10},
+                   {"worst_error_stored", checked[9].error / 2},
+                   {"worst_error_given", checked[9].error_given / 2},
+                   {"wrong_verdicts", 1},
+                   {"wrong_answers", 2},
+                   {"verdicts_in_band", 1},
+                   {"separated", 7},
+                   {"touching", 1},
+                   {"overlapping", 2},
+                   {"fallbacks", 3},
+                   {"cycles", 2},
+                   {"refinements", 5},
+                   {"escapes", 8},
+                   {"mean_steps", 1.5},
+                   {"max_steps", 17}});
 }
 
 TEST(Error, OfTheControlIsCountedOrSaidNotToBeAsked) {
@@ -55,10 +55,9 @@ TEST(Error, OfTheControlIsCountedOrSaidNotToBeAsked) {
     checked[4].control_disagrees = true;  // in the band
     checked[5].control_disagrees = true;
     checked[6].control_disagrees = false;
-    const auto error = by_name(error::figures(checked, {}));
-    EXPECT_EQ(error.at("control_checked").value, 3);
-    EXPECT_EQ(error.at("control_disagreements").value, 2);
-    EXPECT_EQ(error.at("control_disagreements_outside_band").value, 1);
+    expect_values(
+        error::figures(checked, {}),
+        {{"control_checked", 3}, {"control_disagreements", 2}, {"control_disagreements_outside_band", 1}});
 }
 
 /// Errors 1 to `count`, in no order: 17 has no divisor in common with the counts that are asked for.

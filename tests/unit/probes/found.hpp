@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a probe found, by name; and what every figure must keep: it is a finite number, or null with a reason.
+// The figures of a probe by name. Every figure must be a finite number, or null with a reason.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,13 @@ inline Found by_name(const std::vector<measure::Figure>& figures) {
         found[figure.name] = figure;
     }
     return found;
+}
+
+/// Expects figures of these names with these values; no value: null with a reason.
+inline void expect_values(const std::vector<measure::Figure>& figures,
+                          const std::map<std::string, std::optional<double>>& values) {
+    const Found found = by_name(figures);
+    for (const auto& [name, value] : values) EXPECT_EQ(found.at(name).value, value) << name;
 }
 
 }  // namespace edgewise

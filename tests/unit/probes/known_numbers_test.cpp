@@ -15,7 +15,7 @@
 namespace edgewise::probes {
 namespace {
 
-/// A table of 100 bytes and 168 more an edge, of which the planes take 128.
+/// A table of 100 bytes and 168 more for each edge; the planes take 128 of the 168.
 TableBytes table_of(std::uint64_t edges) {
     TableBytes table;
     table.vertices = (edges + 6) / 3;
@@ -29,13 +29,12 @@ TableBytes table_of(std::uint64_t edges) {
 TEST(Bytes, AreSharesAndSlopes) {
     const std::vector<TableBytes> sizes = {table_of(12), table_of(108), table_of(1152)};
     TableBytes table = table_of(108);
-    auto found = by_name(bytes::figures(table, sizes));
-    EXPECT_EQ(found["voronoi_planes"].value, 128);
-    EXPECT_EQ(found["padding"].value, 100.0 / 108);
-    EXPECT_EQ(found["paper_bytes_per_edge"].value, 168);
-    EXPECT_EQ(found["slope_bytes_per_edge"].value, 168);
-    EXPECT_EQ(found["total_bytes_per_edge"].value, 168 + 100.0 / 108);
-    EXPECT_EQ(found["table_bytes"].value, 168 * 108 + 100);
+    expect_values(bytes::figures(table, sizes), {{"voronoi_planes", 128},
+                                                 {"padding", 100.0 / 108},
+                                                 {"paper_bytes_per_edge", 168},
+                                                 {"slope_bytes_per_edge", 168},
+                                                 {"total_bytes_per_edge", 168 + 100.0 / 108},
+                                                 {"table_bytes", 168 * 108 + 100}});
     table.ledger[Component::voronoi_planes] = 0;
     EXPECT_FALSE(by_name(bytes::figures(table, sizes))["paper_bytes_per_edge"].value);
     EXPECT_FALSE(by_name(bytes::figures(table, {}))["slope_bytes_per_edge"].value);
@@ -55,33 +54,31 @@ TEST(Build, IsMediansAndTheRatioIsOfPairs) {
 TEST(Lines, AreMeansOverQueries) {
     measure::ByStart<measure::LinesTouched> touched{
         {10, 400, 6400, 150}, {4, 300, 4400, 110}, {6, 100, 2000, 40}};
-    auto found = by_name(lines::figures(touched));
-    EXPECT_EQ(found["lines_per_query"].value, 15);
-    EXPECT_EQ(found["line_bytes_per_query"].value, 15 * 64);
-    EXPECT_EQ(found["read_bytes_per_query"].value, 640);
-    EXPECT_EQ(found["reads_per_query"].value, 40);
-    EXPECT_EQ(found["lines_per_query.cold"].value, 27.5);
-    EXPECT_EQ(found["reads_per_query.cold"].value, 75);
-    EXPECT_EQ(found["lines_per_query.warm"].value, 40 / 6.0);
-    EXPECT_EQ(found["read_bytes_per_query.warm"].value, 2000 / 6.0);
+    expect_values(lines::figures(touched), {{"lines_per_query", 15},
+                                            {"line_bytes_per_query", 15 * 64},
+                                            {"read_bytes_per_query", 640},
+                                            {"reads_per_query", 40},
+                                            {"lines_per_query.cold", 27.5},
+                                            {"reads_per_query.cold", 75},
+                                            {"lines_per_query.warm", 40 / 6.0},
+                                            {"read_bytes_per_query.warm", 2000 / 6.0}});
     touched.warm = {};
     EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query.warm"].value);
     EXPECT_EQ(by_name(lines::figures(touched))["lines_per_query.warm"].reason, "no query here starts warm");
     touched = {};
     EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query"].value);
     touched.all.queries = 10;
-    EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query"].value) << "the loader was told nothing";
+    EXPECT_FALSE(by_name(lines::figures(touched))["lines_per_query"].value) << "the loader saw no read";
     EXPECT_EQ(by_name(lines::figures(touched, true))["lines_per_query"].value, 0) << "bounds told all";
 }
 
 TEST(Memory, IsOfAllTables) {
     bench::MemoryUse use = {12, 12000, 12800, 16384.0, 0.25};
-    auto found = by_name(memory::figures(use));
-    EXPECT_EQ(found["tables"].value, 12);
-    EXPECT_EQ(found["requested_bytes"].value, 12000);
-    EXPECT_EQ(found["taken_bytes"].value, 12800);
-    EXPECT_EQ(found["resident_bytes"].value, 16384);
-    EXPECT_EQ(found["materialised"].value, 0.25);
+    expect_values(memory::figures(use), {{"tables", 12},
+                                         {"requested_bytes", 12000},
+                                         {"taken_bytes", 12800},
+                                         {"resident_bytes", 16384},
+                                         {"materialised", 0.25}});
     use.resident = std::nullopt;
     EXPECT_FALSE(by_name(memory::figures(use))["resident_bytes"].value);
 }

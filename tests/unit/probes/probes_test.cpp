@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What any probe must keep, of a cell that is verified and timed, and of one that is neither: a figure is a
-// finite number, or null with a reason, and stands in the vocabulary.
+// Rules for all probes, with a cell that is verified and timed, and with one that is neither: a figure is a
+// finite number, or null with a reason, and is in the vocabulary.
 #include "edgewise/bench/probe.hpp"
 
 #include <gtest/gtest.h>

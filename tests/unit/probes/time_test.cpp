@@ -49,7 +49,7 @@ TEST(Time, OfAllPairsIsTheBothTogether) {
     EXPECT_NEAR(*time.at("all_ratio").value, 0.5, 1e-9);
 }
 
-/// Of followed pairs 5 first queries beside 15 others; of the rest every query starts cold.
+/// If pairs are followed, 5 first queries and 15 others; if not, every query starts cold.
 TEST(Time, OfFirstQueriesStandsApartByName) {
     std::vector<measure::Round> rounds = nine_rounds();
     for (measure::Round& round : rounds) {
@@ -80,7 +80,7 @@ TEST(Time, OfPairsOfEitherKindIsOfAllAlone) {
     EXPECT_EQ(time.at("all_ns").value, 104);
     EXPECT_TRUE(time.at("all_ratio").value);
     EXPECT_FALSE(time.at("separated_ns").value);
-    EXPECT_EQ(time.at("separated_ns").reason, "what was asked does not tell this kind of pair");
+    EXPECT_EQ(time.at("separated_ns").reason, "the queries asked for do not distinguish this kind of pair");
     EXPECT_FALSE(time.at("overlapping_ratio").value);
 }
 

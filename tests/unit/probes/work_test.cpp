@@ -81,15 +81,15 @@ TEST(Work, IsSharesOfWhatWasLookedAt) {
     const auto of_cold = by_name(work::figures({}, {}, Needs::nearer));
     EXPECT_FALSE(of_cold.at("told_by_bounds").value) << "none starts warm";
     EXPECT_FALSE(not_looked.at("support_unchanged").value);
-    const auto work = by_name(
-        work::figures({100, 50, 25, 400, 80, 60, 72, 200, 500, {20, 60, 100, 20}, 40, 30, "", ""}, counts));
-    EXPECT_EQ(work.at("support_unchanged").value, 0.75);
-    EXPECT_EQ(work.at("support_near").value, 0.9);
-    EXPECT_EQ(work.at("hops_per_support").value, 0.5);
-    EXPECT_EQ(work.at("vertices_per_support").value, 8);
-    EXPECT_EQ(work.at("subsets_tried").value, 2.5);
-    EXPECT_EQ(work.at("accepted_3").value, 0.5);
-    EXPECT_EQ(work.at("features_agree").value, 0.75);
+    expect_values(
+        work::figures({100, 50, 25, 400, 80, 60, 72, 200, 500, {20, 60, 100, 20}, 40, 30, "", ""}, counts),
+        {{"support_unchanged", 0.75},
+         {"support_near", 0.9},
+         {"hops_per_support", 0.5},
+         {"vertices_per_support", 8},
+         {"subsets_tried", 2.5},
+         {"accepted_3", 0.5},
+         {"features_agree", 0.75}});
 }
 
 studies::SingleCell cell_of(const char* scene, const scene::SceneParameters& parameters,

@@ -71,68 +71,52 @@ TEST(CaseFile, ABodyThatCannotBeBuiltSaysWhereItStands) {
     EXPECT_EQ(huge.error.rfind("cases.jsonl:12: a: ", 0), 0U) << huge.error;
 }
 
-struct BadLine {
-    std::string line, error;
+const std::pair<std::string, std::string> bad_lines[] = {
+    {line_with(tetra, R"(,"pose_a":{"R":[1,0,0,0,1,0,0,0],"t":[0,0,0]})"),
+     "pose_a.R has 8 numbers and needs 9"},
+    {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,1],"t":[0,0,0,0]})"),
+     "pose_b.t has 4 numbers and needs 3"},
+    {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,null],"t":[0,0,0]})"),
+     "pose_b.R[8] is not a finite number"},
+    {line_with(tetra, R"(,"pose_b":[])"), "pose_b is not an object"},
+    {line_with("7"), "a is not an object"},
+    {line_with("{}"), "a.vertices is missing"},
+    {line_with(R"({"vertices":[]})"), "a.vertices is empty"},
+    {line_with(R"({"vertices":"no"})"), "a.vertices is not an array"},
+    {line_with(R"({"vertices":[[0,0,0],[0,0]]})"), "a.vertices[1] has 2 numbers and needs 3"},
+    {line_with(R"({"vertices":[5]})"), "a.vertices[0] is not an array of 3 numbers"},
+    {line_with(R"({"vertices":[[0,0,"NaN"]]})"), "a.vertices[0][2] is not a finite number"},
+    {line_with(R"({"vertices":[[0,true,0]]})"), "a.vertices[0][1] is not a finite number"},
+    {line_with(R"({"vertices":[[0,0,1e999]]})"), "a number is too large for double precision"},
+    {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0,1]]})"),
+     "a.faces[0][2] is 1, but there are 1 vertices, counted from 0"},
+    {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,-1,0]]})"),
+     "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
+    {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0.5,0]]})"),
+     "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
+    {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0]]})"),
+     "a.faces[0] is not an array of three or more vertices"},
+    {line_with(R"({"vertices":[[0,0,0]],"faces":[]})"),
+     "a.faces is empty; leave it out for the hull of the vertices"},
+    {R"({"id":"x","a":)" + std::string(tetra) + "}", "b is missing"},
+    {R"({"id":[1]})", "id is neither a string nor a whole number"},
+    {"[1]", "the line is not a JSON object"},
+    {line_with(tetra, R"(,"pose_b":{})"), "pose_b has neither R nor t; leave it out for the identity"},
+    {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],[0,1,0]]})"), "pose_b.R has 2 rows and needs 3"},
+    {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],[0,1],[0,0,1]]})"), "pose_b.R[1] has 2 numbers and needs 3"},
+    {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],0,[0,0,1]]})"), "pose_b.R[1] is not an array of 3 numbers"},
+    {line_with(tetra, R"(,"pose_b":{"R":[1,0,0]})"), "pose_b.R has 3 numbers and needs 9"},
+    {line_with(tetra, R"(,"pose_b":{"R":"identity"})"), "pose_b.R is not an array"},
+    {line_with(tetra, R"(,"pose_b":{"t":5})"), "pose_b.t is not an array of 3 numbers"},
+    {line_with(tetra, R"(,"pose_b":{"t":[0,0,1],"t":[0,0,2]})"), "pose_b.t is given twice; keep one of them"},
+    {line_with(tetra, R"(,"a":{"vertices":[[0,0,0]]})"), "a is given twice; keep one of them"},
 };
 
 TEST(CaseFile, EveryFaultNamesItsLineAndField) {
-    const BadLine bad[] = {
-        {line_with(tetra, R"(,"pose_a":{"R":[1,0,0,0,1,0,0,0],"t":[0,0,0]})"),
-         "pose_a.R has 8 numbers, wants 9"},
-        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,1],"t":[0,0,0,0]})"),
-         "pose_b.t has 4 numbers, wants 3"},
-        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0,0,1,0,0,0,null],"t":[0,0,0]})"),
-         "pose_b.R[8] is not a finite number"},
-        {line_with(tetra, R"(,"pose_b":[])"), "pose_b is not an object"},
-        {line_with("7"), "a is not an object"},
-        {line_with("{}"), "a.vertices is missing"},
-        {line_with(R"({"vertices":[]})"), "a.vertices is empty"},
-        {line_with(R"({"vertices":"no"})"), "a.vertices is not an array"},
-        {line_with(R"({"vertices":[[0,0,0],[0,0]]})"), "a.vertices[1] has 2 numbers, wants 3"},
-        {line_with(R"({"vertices":[5]})"), "a.vertices[0] is not an array of 3 numbers"},
-        {line_with(R"({"vertices":[[0,0,"NaN"]]})"), "a.vertices[0][2] is not a finite number"},
-        {line_with(R"({"vertices":[[0,true,0]]})"), "a.vertices[0][1] is not a finite number"},
-        {line_with(R"({"vertices":[[0,0,1e999]]})"), "a number is too large for double precision"},
-        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0,1]]})"),
-         "a.faces[0][2] is 1, but there are 1 vertices, counted from 0"},
-        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,-1,0]]})"),
-         "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
-        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0.5,0]]})"),
-         "a.faces[0][1] is not a vertex number (0, 1, 2 ...)"},
-        {line_with(R"({"vertices":[[0,0,0]],"faces":[[0,0]]})"),
-         "a.faces[0] is not an array of three or more vertices"},
-        {line_with(R"({"vertices":[[0,0,0]],"faces":[]})"),
-         "a.faces is empty; leave it out for the hull of the vertices"},
-        {R"({"id":"x","a":)" + std::string(tetra) + "}", "b is missing"},
-        {R"({"id":[1]})", "id is neither a string nor a whole number"},
-        {"[1]", "the line is not a JSON object"},
-    };
-    for (const BadLine& one : bad) {
-        const Result<Case> c = parse(one.line);
-        ASSERT_FALSE(c) << one.line;
-        EXPECT_EQ(c.error, "cases.jsonl:12: " + one.error);
-    }
-}
-
-TEST(CaseFile, EveryFaultOfAPoseNamesItsLineAndField) {
-    const BadLine bad[] = {
-        {line_with(tetra, R"(,"pose_b":{})"), "pose_b has neither R nor t; leave it out for the identity"},
-        {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],[0,1,0]]})"), "pose_b.R has 2 rows, wants 3"},
-        {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],[0,1],[0,0,1]]})"),
-         "pose_b.R[1] has 2 numbers, wants 3"},
-        {line_with(tetra, R"(,"pose_b":{"R":[[1,0,0],0,[0,0,1]]})"),
-         "pose_b.R[1] is not an array of 3 numbers"},
-        {line_with(tetra, R"(,"pose_b":{"R":[1,0,0]})"), "pose_b.R has 3 numbers, wants 9"},
-        {line_with(tetra, R"(,"pose_b":{"R":"identity"})"), "pose_b.R is not an array"},
-        {line_with(tetra, R"(,"pose_b":{"t":5})"), "pose_b.t is not an array of 3 numbers"},
-        {line_with(tetra, R"(,"pose_b":{"t":[0,0,1],"t":[0,0,2]})"),
-         "pose_b.t is given twice; keep one of them"},
-        {line_with(tetra, R"(,"a":{"vertices":[[0,0,0]]})"), "a is given twice; keep one of them"},
-    };
-    for (const BadLine& one : bad) {
-        const Result<Case> c = parse(one.line);
-        ASSERT_FALSE(c) << one.line;
-        EXPECT_EQ(c.error, "cases.jsonl:12: " + one.error);
+    for (const auto& [line, error] : bad_lines) {
+        const Result<Case> c = parse(line);
+        ASSERT_FALSE(c) << line;
+        EXPECT_EQ(c.error, "cases.jsonl:12: " + error);
     }
 }
 
@@ -184,7 +168,7 @@ TEST(CaseFile, UnknownMembersAreRefused) {
             << other;
 }
 
-/// What may stand beside them, in the files that are there.
+/// Members that are carried along and not read.
 TEST(CaseFile, CarriesNotesAndExpectations) {
     for (const char* carried :
          {"source", "expect", "note", "kind", "tags", "shapes", "offset", "max_extent", "ortho_err",
@@ -199,7 +183,7 @@ std::string with_matrix(const Mat3d& r, const char* pose = "pose_b") {
     return line_with(tetra, ",\"" + std::string(pose) + R"(":{"R":[)" + list + R"(],"t":[3,0,0]})");
 }
 
-/// What each is called: tests/unit/scene/nearest_rotation_test.cpp.
+/// The names of refused matrices are tested in tests/unit/scene/nearest_rotation_test.cpp.
 TEST(CaseFile, RefusesAMatrixThatIsNoRotation) {
     Mat3d shear = Mat3d::Identity(), flat = Mat3d::Identity(), mirror = Mat3d::Identity();
     shear(0, 1) = 0.01;

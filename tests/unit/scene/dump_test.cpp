@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pasted texts: every form gives the pair that stands in it, and what is not understood to its end is refused
+// Pasted texts: every form gives its pair, and a text that is not understood to its end is refused
 // with its reason.
 #include "edgewise/scene/dumps/dump.hpp"
 
@@ -40,7 +40,7 @@ const std::string convex = vertices + faces;
 const std::string x_1 = "1, 0, 0, 5,\n0, 0, -1, 6,\n0, 1, 0, 7,\n0, 0, 0, 1;\n",
                   identity = "1, 0, 0, 0,\n0, 1, 0, 0,\n0, 0, 1, 0,\n0, 0, 0, 1;\n";
 
-/// As FCL prints it.
+/// A message in the form that FCL prints.
 std::string message_of(const std::string& shape_1, const std::string& pose_1,
                        const std::string& shape_2 = "Box<double>(1, 2, 3);",
                        const std::string& pose_2 = identity) {
@@ -102,7 +102,7 @@ TEST(Dump, OfFclThatHasNoPolyhedron) {
 /// A matrix that has not all its numbers, or more, or is no rigid motion.
 TEST(Dump, OfFclWithAPoseThatIsNone) {
     const std::vector<std::array<std::string, 2>> refused = {
-        {"1 0 0\n", "has 3 numbers, wants 12 or 16"},
+        {"1 0 0\n", "has 3 numbers and needs 12 or 16"},
         {"", "has 0 numbers"},
         {"1 0 0 0\n0 1 0 0\n0 0 1 0\n0\n", "has 13 numbers"},
         {"1 0 0 0\n0 1 0 0\n0 0 1\n", "has 11 numbers"},

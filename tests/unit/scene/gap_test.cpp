@@ -12,26 +12,17 @@
 #include <array>
 #include <cstdio>
 
-#include "brute_force.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "made_scene.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 /// In body sizes: the placement's own, and a rounding of poses.
 constexpr double bound = gap_placement_tolerance * (1 + 1e-6);
-
-Workload gap_scene_of(const Polyhedron& body, const SceneParameters& given, std::size_t count,
-                      std::uint64_t seed = 5) {
-    auto workload = make_scene("gap", body, given, seed, count, truth::brute_force_distance);
-    EXPECT_TRUE(workload) << workload.error;
-    return std::move(*workload);
-}
 
 /// One pair, everything in body sizes.
 struct PlacedPair {
@@ -78,7 +69,7 @@ TEST(Gap, IsTheOneAskedFor) {
         const Polyhedron body = *make_shape(name);
         for (const double asked : {-0.1, -0.01, -0.0001, 0.0, 0.001, 0.1, 1.0}) {
             double worst = 0, shallowest = 1;
-            for (const Query& query : gap_scene_of(body, {{"gap", asked}, {"span", 0}}, 12).queries) {
+            for (const Query& query : made_scene("gap", body, 12, {{"gap", asked}, {"span", 0}}, 5).queries) {
                 const PlacedPair pair{body, query.pose_a, query.pose_b};
                 if (asked < 0) {
                     expect_depth(pair, -asked);
@@ -95,11 +86,11 @@ TEST(Gap, IsTheOneAskedFor) {
     }
 }
 
-/// Of n gaps one lies in each n-th of the range: sorted, none is farther than 1/n from its even place.
+/// One of n gaps lies in each n-th of the range: sorted, none is farther than 1/n from its even place.
 TEST(Gap, AreSpreadEvenlyOverEveryRegime) {
     const Polyhedron body = *make_shape("cube8");
     constexpr std::size_t count = 1100;
-    const Workload w = gap_scene_of(body, {}, count);
+    const Workload w = made_scene("gap", body, count, {}, 5);
     std::array<std::size_t, 3> visited{};  // penetrating, near contact (0.01 sizes), beyond
     std::vector<double> distances;
     for (const Query& query : w.queries) {
@@ -137,22 +128,14 @@ TEST(Gap, ThatThinBodiesCannotHaveIsRefused) {
         make_scene("gap", plate, {{"gap", -0.5}, {"span", 0}}, 1, 200, truth::brute_force_distance);
     ASSERT_FALSE(made);
     EXPECT_NE(made.error.find("raise gap"), std::string::npos) << made.error;
-    EXPECT_EQ(gap_scene_of(plate, {{"gap", 0.001}}, 20).queries.size(), 20U);
+    EXPECT_EQ(made_scene("gap", plate, 20, {{"gap", 0.001}}, 5).queries.size(), 20U);
 }
 
 constexpr std::size_t pairs = 12, step_count = 60;
 
-Workload proximity(const SceneParameters& more = {}) {
-    SceneParameters given = {{"pairs", double(pairs)}};
-    given.insert(more.begin(), more.end());
-    auto workload = make_scene("proximity", *make_shape("sphere38"), *complete_parameters("proximity", given),
-                               1, pairs * step_count, truth::brute_force_distance);
-    EXPECT_TRUE(workload) << workload.error;
-    return std::move(*workload);
-}
-
-double distance(const Workload& w, const Query& q) {
-    return truth::brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
+Workload proximity(SceneParameters given = {}) {
+    given["pairs"] = double(pairs);
+    return made_scene("proximity", *make_shape("sphere38"), pairs * step_count, given);
 }
 
 TEST(Proximity, StartsTheGapApart) {
@@ -162,7 +145,7 @@ TEST(Proximity, StartsTheGapApart) {
     EXPECT_EQ(w.frames.size(), step_count);
     const double size = extent(w.bodies[0].vertices);
     for (std::size_t i = 0; i < pairs; ++i)
-        EXPECT_NEAR(distance(w, w.queries[i]), 0.001 * size, placement_tolerance * size) << "pair " << i;
+        EXPECT_NEAR(distance_of(w, w.queries[i]), 0.001 * size, placement_tolerance * size) << "pair " << i;
 }
 
 /// The middles stay; a step turns by 0.25 / 60 rad, so that the pairs stay near, and some come to touch.
@@ -175,7 +158,7 @@ TEST(Proximity, StaysClose) {
         ASSERT_EQ(now.pair, before.pair);
         const Mat3d turn = now.pose_a.rotation * before.pose_a.rotation.transpose();
         EXPECT_NEAR(turn.trace(), 1 + 2 * std::cos(0.25 / 60), 1e-9);
-        const double d = distance(w, now);
+        const double d = distance_of(w, now);
         touching += d == 0;
         most = std::max(most, d);
     }
@@ -187,8 +170,8 @@ TEST(Proximity, StaysClose) {
 
 TEST(Proximity, StandsStillWithoutRotation) {
     const Workload w = proximity({{"rotation_step", 0}, {"gap", 0.1}});
-    const double first = distance(w, w.queries[0]);
-    EXPECT_EQ(distance(w, w.queries[(step_count - 1) * pairs]), first);
+    const double first = distance_of(w, w.queries[0]);
+    EXPECT_EQ(distance_of(w, w.queries[(step_count - 1) * pairs]), first);
     EXPECT_NEAR(first, 0.1 * extent(w.bodies[0].vertices), 2e-3);
 }
 

@@ -22,23 +22,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; 
 namespace edgewise::scene {
 namespace {
 
-using testing::all_violations;
-using testing::box_faces;
-using testing::box_points;
-using testing::Dice;
-using testing::Faces;
-using testing::grid_points;
-using testing::Points;
-
-using testing::collada_text;
-using testing::every_format;
-using testing::expect_refused;
-using testing::LShape;
-using testing::obj_object;
-using testing::off_text;
-using testing::ply_text;
-using testing::shifted;
-using testing::stl_text;
+using namespace edgewise::testing;
 
 using Bodies = Result<std::vector<MeshBody>>;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is said of mesh files that are read, and of flat ones: whatever their format.
+// Warnings and refusals of mesh files are the same in every format.
 #include <tuple>
 
 #include "mesh_texts.hpp"
@@ -8,13 +8,7 @@
 namespace edgewise::scene {
 namespace {
 
-using testing::box_faces;
-using testing::box_points;
-using testing::collada_text;
-using testing::every_format;
-using testing::expect_refused;
-using testing::Points;
-using testing::shifted;
+using namespace edgewise::testing;
 
 using Bodies = Result<std::vector<MeshBody>>;
 using MeshNotices = testing::MeshFolder;

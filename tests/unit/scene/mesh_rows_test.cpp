@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// PLY and OFF files whose counts do not fit their rows, and rows that hold something else than numbers.
+// PLY and OFF files with counts that do not fit their rows, and rows with something else than numbers.
 #include "edgewise/scene/mesh/mesh_parts.hpp"
 
 #include <cstring>
@@ -11,10 +11,7 @@
 namespace edgewise::scene {
 namespace {
 
-using testing::box_faces;
-using testing::box_points;
-using testing::off_text;
-using testing::ply_text;
+using namespace edgewise::testing;
 
 std::string off_box() { return off_text(box_points(Vec3d(1, 1, 1)), box_faces()); }
 std::string ply_box() { return ply_text(box_points(Vec3d(1, 1, 1)), box_faces()); }
@@ -49,10 +46,6 @@ std::string binary_box(bool big_endian, const std::string& vertices = "8", const
         for (const Index v : face) put_binary(text, static_cast<std::int32_t>(v), big_endian);
     }
     return text;
-}
-
-void expect_said(const std::string& error, const std::string& said) {
-    EXPECT_NE(error.find(said), std::string::npos) << error << " | " << said;
 }
 
 TEST(MeshRows, TakesWhatFits) {

@@ -143,14 +143,18 @@ class MeshFolder : public ::testing::Test {
     std::filesystem::path folder_;
 };
 
+inline void expect_said(const std::string& error, const std::string& said) {
+    EXPECT_NE(error.find(said), std::string::npos) << error << " | " << said;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+}
+
 inline void expect_refused(const std::string& path, const std::string& expected) {
     for (const scene::MeshGrouping grouping :
          {scene::MeshGrouping::one_hull, scene::MeshGrouping::each_mesh}) {
         const auto bodies = scene::read_mesh_file(path, {grouping});
         EXPECT_FALSE(bodies) << path;
         EXPECT_EQ(bodies.error.rfind(path, 0), 0u) << bodies.error;
-        EXPECT_NE(bodies.error.find(expected), std::string::npos) << bodies.error;
-        EXPECT_EQ(bodies.error.find('\n'), std::string::npos) << bodies.error;
+        expect_said(bodies.error, expected);
     }
 }
 

@@ -11,6 +11,7 @@
 
 #include "edgewise/scene/angle.hpp"
 #include "edgewise/scene/rng.hpp"
+#include "made_scene.hpp"
 
 namespace edgewise::scene {
 namespace {
@@ -49,15 +50,6 @@ TEST(Angle, SmallAnglesKeepTheirRelativeAccuracy) {
     EXPECT_LT(worst, 1e-15);
     EXPECT_EQ(sine_cosine(0).sine, 0);
     EXPECT_EQ(sine_cosine(0).cosine, 1);
-}
-
-/// Angle between two orientations, by libm: the oracle.
-double angle_between(const Mat3d& a, const Mat3d& b) {
-    const Mat3d relative = a.transpose() * b;
-    const double x = relative(2, 1) - relative(1, 2);
-    const double y = relative(0, 2) - relative(2, 0);
-    const double z = relative(1, 0) - relative(0, 1);
-    return std::atan2(std::sqrt(x * x + y * y + z * z), relative.trace() - 1);
 }
 
 TEST(Motion, EveryStepTurnsByTheAskedAngleAboutTheAxis) {

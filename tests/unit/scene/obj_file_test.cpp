@@ -46,7 +46,7 @@ TEST(ObjFile, ReadsEveryFormOfABodyAlike) {
     for (const char* comment : {"# parts\\models\\\n", "#\\\n", "#!\\\r\n", "  # indented \\\n"})
         expect_tetrahedron(comment + plain + comment);
     expect_tetrahedron(plain.substr(0, plain.size() - 1));
-    expect_tetrahedron(std::string(four_sides) + four_corners);  // OBJ lets a face stand before its vertices
+    expect_tetrahedron(std::string(four_sides) + four_corners);  // in OBJ a face may come before its vertices
 }
 
 TEST(ObjFile, ReadsEveryFormOfANumberAndACorner) {
@@ -88,7 +88,7 @@ std::vector<std::size_t> part_sizes(const std::string& text) {
     return result;
 }
 
-/// As Assimp makes meshes of an OBJ file.
+/// The parts are the meshes that Assimp makes of an OBJ file.
 TEST(ObjFile, BeginsAPartWithAnObjectAGroupAndAMaterial) {
     using Sizes = std::vector<std::size_t>;
     const std::string points = std::string(four_corners) + "v 5 5 5\n", three = "f 1 2 3\n",
@@ -143,9 +143,9 @@ constexpr std::pair<const char*, const char*> refused_lines[] = {
     {"v 1 2 3 2", "a weight of 2"},
     {"v 1 2 3 0", "a weight of 0"},
     {"v 1 2 3 0.5 0,5 0.5", "decimal comma"},
-    {"v0 0 0", "'v0' is nothing that is read"},
-    {"V 0 0 0", "'V' is nothing that is read"},
-    {"F 1 2 3", "'F' is nothing that is read"},
+    {"v0 0 0", "'v0' is not a statement"},
+    {"V 0 0 0", "'V' is not a statement"},
+    {"F 1 2 3", "'F' is not a statement"},
     {"solid cube", "'solid'"},
     {"surf 0 1 0 1 1 2 3", "'surf'"},
     {"cstype bezier", "points, lines and polygons are"},
@@ -153,7 +153,7 @@ constexpr std::pair<const char*, const char*> refused_lines[] = {
     {"f 1 2 0/1", "counts vertices from 1"},
     {"f 1 2 9", "no vertex 9: the file has 4"},
     {"f 1 2 99999999999", "no vertex 99999999999"},
-    {"f 1 2 -5", "no vertex -5: 4 stand before this line"},
+    {"f 1 2 -5", "no vertex -5: 4 vertices come before this line"},
     {"f 1 2 x", "'x' is no vertex of a face"},
     {"f 1 2 3.5", "'3.5' is no vertex"},
     {"f 1,2,3 2 3", "is no vertex"},

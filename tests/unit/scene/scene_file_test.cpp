@@ -125,7 +125,7 @@ TEST_P(BadSceneFile, SaysWhereAndWhatIsAllowed) {
 INSTANTIATE_TEST_SUITE_P(
     Mistakes, BadSceneFile,
     testing::Values(
-        BadFile{"{", "not JSON", "column"}, BadFile{"[1]", "wants one object", "shapes"},
+        BadFile{"{", "not JSON", "column"}, BadFile{"[1]", "the file must be one object", "shapes"},
         BadFile{R"({"shapes": ["cube8"]})", "scene is missing", ""},
         BadFile{R"({"scene": "tumble"})", "shapes is missing", ""},
         BadFile{R"({"scene": "tumble", "shapes": []})", "shapes", "at least one"},
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{R"({"scene": "tumble", "shapes": ["cube8"], "vary": {"bodies": [2], "margin": [1]}})", "vary",
                 "one parameter"}));
 
-/// What is there twice, or far too often, is a slip that would be measured without a word.
+/// Repeated or far too many values are mistakes, which would be measured without a warning.
 TEST(SceneFile, HasNothingTwiceAndNotTooMuch) {
     std::string many = "2", most = "2";
     for (int i = 3; i <= 1002; ++i) many += "," + std::to_string(i);

@@ -11,43 +11,20 @@
 #include <map>
 #include <set>
 
-#include "brute_force.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
+#include "made_scene.hpp"
 
 namespace edgewise::scene {
 namespace {
 
-Polyhedron shape(const char* name) {
-    Result<Polyhedron> body = make_shape(name);
-    EXPECT_TRUE(body) << body.error;
-    return std::move(*body);
-}
+Polyhedron shape(const char* name) { return make_shape(name).or_throw(); }
 
-Workload scene(const char* name, const Polyhedron& body, std::size_t count, const SceneParameters& given = {},
-               std::uint64_t seed = 1) {
-    Result<Workload> workload = make_scene(name, body, given, seed, count, truth::brute_force_distance);
-    EXPECT_TRUE(workload) << workload.error;
-    return std::move(*workload);
-}
-
-double distance_of(const Workload& w, const Query& q) {
-    return truth::brute_force_distance(w.bodies[q.body_a], q.pose_a, w.bodies[q.body_b], q.pose_b);
-}
-
-/// Of every tenth query: brute force is slow, and neighbours in time are much alike.
+/// Share of overlapping pairs among every tenth query, because brute force is slow.
 double overlap_share(const Workload& w) {
     std::size_t overlapping = 0, asked = 0;
     for (std::size_t i = 0; i < w.queries.size(); i += 10)
         ++asked, overlapping += distance_of(w, w.queries[i]) == 0;
     return static_cast<double>(overlapping) / static_cast<double>(asked);
-}
-
-double rotation_between(const Mat3d& a, const Mat3d& b) {
-    const Mat3d r = a.transpose() * b;
-    const Vec3d axis(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
-    return std::atan2(norm(axis), r.trace() - 1);
 }
 
 /// FNV-1a, a word at a time, over the bits of all poses.
@@ -81,7 +58,7 @@ void expect_well_formed(const Workload& w, std::size_t count) {
 
 TEST(Static, FillsItsBoxToTenPercentWithSeveralSizes) {
     const Polyhedron body = shape("sphere38");
-    const Workload w = scene("static", body, 3000);
+    const Workload w = made_scene("static", body, 3000);
     expect_well_formed(w, 3000);
     EXPECT_EQ(w.pair_count, 3000U) << "every pair its own slot";
     double reached = 0, total = 0;
@@ -135,7 +112,7 @@ TEST(Cold, DistancesAreUniformInOneBodySizeAndATenthOverlaps) {
 
 TEST(Cold, OverlapsAreFromContactToHalfTheContactDistance) {
     const Polyhedron body = shape("sphere38");
-    const Workload w = scene("cold", body, 300, {{"overlapping", 1}}, 3);
+    const Workload w = made_scene("cold", body, 300, {{"overlapping", 1}}, 3);
     const Vec3d centre = vertex_mean(body.vertices);
     double nearest = 9, farthest = 0;
     std::size_t overlapping = 0;
@@ -158,7 +135,7 @@ TEST(Cold, HoldsItsTargetForAFarOffBody) {
     Polyhedron body = shape("cube8");
     for (Vec3d& v : body.vertices) v += Vec3d(100, -50, 25);
     for (Plane<double>& p : body.face_planes) p.offset -= dot(p.normal, Vec3d(100, -50, 25));
-    const Workload w = scene("cold", body, 200, {{"overlapping", 0}, {"distance", 0.5}});
+    const Workload w = made_scene("cold", body, 200, {{"overlapping", 0}, {"distance", 0.5}});
     double largest = 0, away = 0;
     for (const Query& q : w.queries) {
         largest = std::max(largest, distance_of(w, q) / extent(body.vertices));
@@ -186,7 +163,7 @@ Steps measure_steps(const Workload& w, double angle) {
         ++steps.followed;
         for (const auto& [from, to] :
              {std::pair{before.pose_a, after.pose_a}, {before.pose_b, after.pose_b}}) {
-            const double turned = rotation_between(from.rotation, to.rotation);
+            const double turned = angle_between(from.rotation, to.rotation);
             steps.worst_angle = std::max(steps.worst_angle, std::abs(turned - angle));
             const double way = norm(Vec3d(to.apply(centre) - from.apply(centre)));
             steps.longest_way = std::max(steps.longest_way, way);
@@ -203,7 +180,7 @@ TEST(Tumble, EveryBodyMovesByItsStepEveryStep) {
     for (const double angle : {0.01, 1.0}) {
         for (const double way : {0.005, 0.2}) {
             const Workload w =
-                scene("tumble", body, 4000, {{"rotation_step", angle}, {"translation_step", way}});
+                made_scene("tumble", body, 4000, {{"rotation_step", angle}, {"translation_step", way}});
             expect_well_formed(w, 4000);
             const Steps steps = measure_steps(w, angle);
             std::printf(
@@ -221,7 +198,7 @@ TEST(Tumble, EveryBodyMovesByItsStepEveryStep) {
 
 TEST(Tumble, FiveToThirtyPercentOverlapForEveryShape) {
     for (const char* name : {"tetra4", "cube8", "sphere38"}) {
-        const double share = overlap_share(scene("tumble", shape(name), 10000));
+        const double share = overlap_share(made_scene("tumble", shape(name), 10000));
         std::printf("tumble %-8s: %.1f %% overlap\n", name, 100 * share);
         EXPECT_GT(share, 0.05) << name;
         EXPECT_LT(share, 0.30) << name;
@@ -230,7 +207,7 @@ TEST(Tumble, FiveToThirtyPercentOverlapForEveryShape) {
 
 TEST(Tumble, APairThatReturnsGetsANewSlot) {
     const Polyhedron body = shape("cube8");
-    const Workload w = scene("tumble", body, 4000, {{"steps", 1000000}, {"translation_step", 0.05}});
+    const Workload w = made_scene("tumble", body, 4000, {{"steps", 1000000}, {"translation_step", 0.05}});
     std::printf("tumble: %u slots among the 66 pairs of one population\n", w.pair_count);
     EXPECT_GT(w.pair_count, 66U);
     // Within a slot every body has moved by one step, no more: no query of the stay is missing.
@@ -244,11 +221,11 @@ TEST(Scenes, OneSeedOneWorkload) {
         {"gap", 0x8bcdea69156a40e8U},       {"tumble", 0x64db073872c93f51U},
         {"proximity", 0xa9fd913d7cc1f7e5U}, {"pressure", 0x4001d7fcbcf5fd18U}};
     for (const SceneInfo& info : list_scenes()) {
-        const Workload w = scene(info.name.c_str(), body, 500, {}, 42);
+        const Workload w = made_scene(info.name.c_str(), body, 500, {}, 42);
         const std::uint64_t hash = hash_of(w);
         std::printf("hash of %s: %016llx\n", info.name.c_str(), static_cast<unsigned long long>(hash));
-        EXPECT_EQ(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 42)));
-        EXPECT_NE(hash, hash_of(scene(info.name.c_str(), body, 500, {}, 43)));
+        EXPECT_EQ(hash, hash_of(made_scene(info.name.c_str(), body, 500, {}, 42)));
+        EXPECT_NE(hash, hash_of(made_scene(info.name.c_str(), body, 500, {}, 43)));
         EXPECT_EQ(hash, golden.at(info.name)) << info.name;
         EXPECT_EQ(info.warm, info.name != "static" && info.name != "cold" && info.name != "gap");
         EXPECT_EQ(w.table_each, info.name == "pressure");
@@ -265,7 +242,8 @@ TEST(Scenes, OneSeedOneWorkload) {
 TEST(Scenes, ExactlyAsManyQueriesAsAsked) {
     const Polyhedron body = shape("cube8");
     for (const char* name : {"static", "cold", "gap", "tumble"}) {
-        for (const std::size_t count : {1U, 2U, 37U}) expect_well_formed(scene(name, body, count), count);
+        for (const std::size_t count : {1U, 2U, 37U})
+            expect_well_formed(made_scene(name, body, count), count);
     }
 }
 

@@ -8,24 +8,20 @@
 #include <cstdio>
 #include <set>
 
-#include "brute_force.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/scene_file.hpp"
-#include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
+#include "made_scene.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 Workload tumble(SceneParameters given, std::size_t queries = 2000) {
     given["in_time_order"] = 1;
-    auto workload = make_scene("tumble", *make_shape("cube8"), given, 1, queries, {});
-    EXPECT_TRUE(workload) << workload.error;
-    return std::move(*workload);
+    return made_scene("tumble", *make_shape("cube8"), queries, given);
 }
 
-/// Of each body from step to step within a population.
+/// Calls `use` with each body's poses before and after each step within a population.
 template <class Use>
 void each_move(const Workload& w, Use use) {
     for (std::size_t i = 1; i < w.frames.size(); ++i) {
@@ -36,8 +32,7 @@ void each_move(const Workload& w, Use use) {
 }
 
 double turned_by(const Pose& before, const Pose& after) {
-    const Mat3d turn = after.rotation * before.rotation.transpose();
-    return std::acos(std::clamp((turn.trace() - 1) / 2, -1.0, 1.0));
+    return angle_between(before.rotation, after.rotation);
 }
 
 TEST(Tumble, AtRandomOrientationIsIncoherent) {
@@ -98,7 +93,7 @@ TEST(Tumble, ShrinksBodiesInABoxOfFixedSize) {
     EXPECT_NEAR(way, 0.001 * extent(make_shape("cube8")->vertices), 1e-12);
 }
 
-/// Frames tell the poses whose boxes they hold.
+/// Frames hold poses, and the boxes of the bodies at these poses.
 TEST(Tumble, FramesHoldPosesAndTheirBoxes) {
     const Workload w = tumble({{"own_tables", 1}, {"margin", 0.1}});
     EXPECT_TRUE(w.table_each);
@@ -172,7 +167,7 @@ TEST(Tumble, PrecessesAtTheSameAngle) {
     EXPECT_LE(most, 0.2 * 0.5 + 1e-6) << "less where the axes are near each other";
 }
 
-/// As many whole steps as are asked for, however few queries are; and no other queries before them.
+/// The scene has at least the steps asked for, whole ones, with the same queries as a longer scene.
 TEST(Tumble, TakesTheLeastSteps) {
     const Workload w = tumble({{"bodies", 20}, {"least_steps", 120}}, 10),
                    longer = tumble({{"bodies", 20}, {"least_steps", 2}}, 20000);
@@ -187,11 +182,7 @@ TEST(Tumble, TakesTheLeastSteps) {
 }
 
 Workload pressure(std::size_t bodies, std::size_t queries) {
-    auto workload =
-        make_scene("pressure", *make_shape("sphere38"),
-                   *complete_parameters("pressure", {{"bodies", double(bodies)}}), 1, queries, {});
-    EXPECT_TRUE(workload) << workload.error;
-    return std::move(*workload);
+    return made_scene("pressure", *make_shape("sphere38"), queries, {{"bodies", double(bodies)}});
 }
 
 TEST(Pressure, AsksEveryPairOfNeighboursOnceAStep) {
@@ -219,7 +210,7 @@ TEST(Pressure, PairsAreNearAndApart) {
     double least = 1e9, most = 0;
     const double spacing = norm(Vec3d(w.queries[0].pose_a.translation - w.queries[0].pose_b.translation));
     for (const Query& q : w.queries) {
-        const double d = truth::brute_force_distance(w.bodies[0], q.pose_a, w.bodies[0], q.pose_b);
+        const double d = distance_of(w, q);
         least = std::min(least, d);
         most = std::max(most, d);
         EXPECT_NEAR(norm(Vec3d(q.pose_a.translation - q.pose_b.translation)), spacing, 0.1);
@@ -229,11 +220,9 @@ TEST(Pressure, PairsAreNearAndApart) {
 }
 
 TEST(Pressure, TakesTheLeastSteps) {
-    const auto w =
-        make_scene("pressure", *make_shape("cube8"), {{"bodies", 30}, {"least_steps", 5}}, 1, 7, {});
-    ASSERT_TRUE(w) << w.error;
-    EXPECT_EQ(w->frames.size(), 5U);
-    EXPECT_EQ(w->queries.size(), 5 * 29U);
+    const Workload w = made_scene("pressure", *make_shape("cube8"), 7, {{"bodies", 30}, {"least_steps", 5}});
+    EXPECT_EQ(w.frames.size(), 5U);
+    EXPECT_EQ(w.queries.size(), 5 * 29U);
 }
 
 }  // namespace

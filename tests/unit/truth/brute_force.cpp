@@ -44,7 +44,7 @@ double highest(const WorldBody& body, const Vec3d& direction) {
     return best;
 }
 
-/// Whether B lies beyond A along the direction.
+/// Returns true if B lies beyond A along the direction.
 bool separates(const WorldBody& a, const WorldBody& b, const Vec3d& direction) {
     return highest(a, direction) + highest(b, -direction) < 0;
 }

@@ -12,17 +12,14 @@
 #include "edgewise/truth/certificate.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
-#include "edgewise/truth/optimality.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth::certificate_claims {
 
-struct Pair {
-    Points a, b;
-    Pose pose_a, pose_b;
-};
+using Pair = PosedPoints;
 
-/// What an answer claims, and the truth beside it.
+/// What an answer claims.
 struct Claim {
     std::vector<std::uint32_t> on_a, on_b;
     std::vector<double> weights;

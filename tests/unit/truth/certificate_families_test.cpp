@@ -18,15 +18,11 @@ using namespace certificate_claims;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const Points unit_box = box({0, 0, 0}, {1, 1, 1});
-
-// ---- families
-// ----------------------------------------------------------------------------------------------
 
 struct Family {
     const char* name;
     std::function<Pair(RandomBodies&)> make;
-    int overlapping = 0;  ///< at least so many of 400
+    int overlapping = 0;  ///< at least this many of 400
 };
 
 /// Two boxes face to face, one tilted by as little as a rounding step.
@@ -55,8 +51,7 @@ Pair far_off(RandomBodies& random) {
     Pair pair = grazing(random);
     const Vec3d shift = log_uniform(random, 10, 40) * random.unit();
     if (random.number() < 0) {
-        pair.pose_a.translation += shift;
-        pair.pose_b.translation += shift;
+        pair.shift(shift);
         return pair;
     }
     for (Vec3d& v : pair.a) v += shift;
@@ -91,11 +86,7 @@ Pair needles(RandomBodies& random) {
 
 Pair scaled(RandomBodies& random, double factor) {
     Pair pair = grazing(random);
-    for (Points* points : {&pair.a, &pair.b}) {
-        for (Vec3d& v : *points) v *= factor;
-    }
-    pair.pose_a.translation *= factor;
-    pair.pose_b.translation *= factor;
+    pair.scale(factor);
     return pair;
 }
 

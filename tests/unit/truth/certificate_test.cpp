@@ -17,7 +17,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const Points unit_box = box({0, 0, 0}, {1, 1, 1});
 
 TEST(Certificate, boxes_in_closed_form) {
     const std::vector<std::uint32_t> right = {1, 3, 5, 7}, left = {0, 2, 4, 6}, corner = {7}, other = {0};
@@ -81,9 +80,6 @@ TEST(Certificate, says_what_is_wrong) {
     EXPECT_NE(certify(unit_box, {}, unit_box, moved({nan, 0, 0}), {first}, {first}).error.find("body B"),
               std::string::npos);
 }
-
-// ---- stored bodies
-// -----------------------------------------------------------------------------------------
 
 TEST(Certificate, widen_rounds_outward) {
     RandomBodies random(34);

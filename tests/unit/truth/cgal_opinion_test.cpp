@@ -28,10 +28,7 @@ using Kernel = CGAL::Cartesian<Rational>;
 using Point = Kernel::Point_3;
 using DistanceTraits = CGAL::Polytope_distance_d_traits_3<Kernel>;
 
-struct Pair {
-    Points a, b;
-    Pose pose_a, pose_b;
-};
+using Pair = PosedPoints;
 
 std::vector<Point> world_points(const Points& vertices, const Pose& pose) {
     std::vector<Point> result;
@@ -76,23 +73,14 @@ Rational squared_depth_of(const Pair& pair) {
     return least.value_or(0);
 }
 
-/// Whether a double is the nearest to the root of a square: both halfway points around it, squared.
+/// Returns true if a double is the nearest to the root of a square. Compares the squares of the halfway
+/// points.
 bool is_nearest_root(double root, const Rational& square) {
     if (square == 0) return root == 0;
     const double infinity = std::numeric_limits<double>::infinity();
     const Rational below = (Rational(root) + Rational(std::nextafter(root, 0.0))) / 2;
     const Rational above = (Rational(root) + Rational(std::nextafter(root, infinity))) / 2;
     return root > 0 && below * below <= square && square <= above * above;
-}
-
-Points lattice_points(RandomBodies& random, std::size_t count) {
-    Points points;
-    const auto digit = [&] { return static_cast<double>(random.bits()() % 5) - 2; };
-    for (std::size_t i = 0; i < count; ++i) {
-        const double x = digit(), y = digit(), z = digit();
-        points.emplace_back(x, y, z);
-    }
-    return points;
 }
 
 Pair random_pair(RandomBodies& random) {
@@ -108,13 +96,11 @@ Pair random_pair(RandomBodies& random) {
 }
 
 Pair lattice_pair(RandomBodies& random) {
-    const auto shift = [&] { return static_cast<double>(random.bits()() % 5) - 2; };
-    const double x = shift(), y = shift(), z = shift();
+    Vec3d shift = random.on_grid();
     const bool flat = random.bits()() % 4 == 0;
-    Pair pair{lattice_points(random, 1 + random.bits()() % 8),
-              lattice_points(random, 1 + random.bits()() % 8),
-              {},
-              moved({x, y, flat ? 0 : z})};
+    if (flat) shift.z() = 0;
+    const std::size_t count = 1 + random.bits()() % 8;
+    Pair pair{random.on_grid(count), random.on_grid(1 + random.bits()() % 8), {}, moved(shift)};
     for (Points* points : {&pair.a, &pair.b}) {
         for (Vec3d& v : *points) v.z() *= flat ? 0 : 1;
     }
@@ -173,8 +159,7 @@ TEST(CgalOpinion, agrees_far_off_and_on_skewed_poses) {
     for (int i = 0; i < 100; ++i) {
         Pair pair = random_pair(random);
         const Vec3d shift = std::ldexp(1.0, static_cast<int>(random.bits()() % 41)) * random.unit();
-        pair.pose_a.translation += shift;
-        pair.pose_b.translation += shift;
+        pair.shift(shift);
         for (double& entry : pair.pose_a.rotation.reshaped()) entry += 1e-7 * random.number();
         tally.compare(pair);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The proof of a penetration depth must refuse what is wrong: another face, a foreign point, a dent.
-#include "edgewise/truth/depth/depth_proof.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,8 @@ TEST_F(DepthProof, accepts_the_nearest_face_only) {
     EXPECT_NO_THROW(require_depth(bodies_, polytope_, polytope_.nearest()));
     int refused = 0;
     for (std::uint32_t face = 0; face < polytope_.faces().size(); ++face) {
-        if (!is_nearer(polytope_.faces()[polytope_.nearest()], polytope_.faces()[face])) continue;
+        if (!ExpandingPolytope::is_nearer(polytope_.faces()[polytope_.nearest()], polytope_.faces()[face]))
+            continue;
         expect_refused(face);
         ++refused;
     }

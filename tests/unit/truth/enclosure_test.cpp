@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether the origin is surely inside a tetrahedron, beside exact volumes: never surely where it is not,
+// The proof that the origin is inside a tetrahedron, against exact volumes: never given where it is not,
 // however flat; always where it is by more than the error.
 #include "edgewise/truth/filter/enclosure.hpp"
 

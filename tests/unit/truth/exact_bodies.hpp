@@ -23,6 +23,26 @@ using Points = std::vector<Vec3d>;
     return corners;
 }
 
+inline const Points unit_box = box({0, 0, 0}, {1, 1, 1});
+
+/// Two vertex sets and where they are.
+struct PosedPoints {
+    Points a, b;
+    Pose pose_a, pose_b;
+
+    void scale(double factor) {
+        for (Points* points : {&a, &b}) {
+            for (Vec3d& v : *points) v *= factor;
+        }
+        pose_a.translation *= factor;
+        pose_b.translation *= factor;
+    }
+    void shift(const Vec3d& by) {
+        pose_a.translation += by;
+        pose_b.translation += by;
+    }
+};
+
 [[nodiscard]] inline Pose moved(const Vec3d& by) {
     Pose pose;
     pose.translation = by;
@@ -49,6 +69,19 @@ class RandomBodies {
     [[nodiscard]] Points on_sphere(int count) {
         Points points;
         for (int i = 0; i < count; ++i) points.push_back(unit());
+        return points;
+    }
+
+    /// Whole numbers from -2 to 2.
+    [[nodiscard]] Vec3d on_grid() {
+        const auto digit = [&] { return static_cast<double>(bits_() % 5) - 2; };
+        const double x = digit(), y = digit(), z = digit();
+        return {x, y, z};
+    }
+
+    [[nodiscard]] Points on_grid(std::size_t count) {
+        Points points;
+        for (std::size_t i = 0; i < count; ++i) points.push_back(on_grid());
         return points;
     }
 

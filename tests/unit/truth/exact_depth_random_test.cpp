@@ -18,10 +18,7 @@ namespace edgewise::truth {
 namespace {
 
 /// Two bodies of 4 to `largest` vertices, some flattened, that overlap.
-struct DeepPair {
-    Points a, b;
-    Pose pose_a, pose_b;
-
+struct DeepPair : PosedPoints {
     DeepPair(RandomBodies& random, int largest) {
         const auto count = [&] { return 4 + static_cast<int>(random.bits()() % (largest - 3)); };
         do {
@@ -67,7 +64,7 @@ double least_reach(const WorldSolid& a, const WorldSolid& b) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3d& axis : axes) {
         const double length = norm(axis);
-        if (length < 1e-9) continue;  // the noise of nearly parallel edges; other axes stand near
+        if (length < 1e-9) continue;  // the noise of nearly parallel edges; other axes are near
         const Vec3d n = axis / length;
         least = std::min({least, a.highest(n) + b.highest(-n), a.highest(-n) + b.highest(n)});
     }
@@ -134,11 +131,7 @@ TEST(ExactDepthRandom, same_bits_under_swap_permutation_seed_and_scale) {
         std::shuffle(pair.a.begin(), pair.a.end(), random.bits());
         pair.b.push_back(pair.b.front());
         const double factor = std::ldexp(1.0, i % 2 == 0 ? 800 : -800);
-        for (Points* points : {&pair.a, &pair.b}) {
-            for (Vec3d& v : *points) v *= factor;
-        }
-        pair.pose_a.translation *= factor;
-        pair.pose_b.translation *= factor;
+        pair.scale(factor);
         const ExactDepth scaled = pair.ask();
         EXPECT_EQ(scaled.depth, deep.depth * factor);
         EXPECT_EQ(scaled.normal, deep.normal);

@@ -18,10 +18,7 @@
 namespace edgewise::truth {
 namespace {
 
-struct RandomPair {
-    Points a, b;
-    Pose pose_a, pose_b;
-
+struct RandomPair : PosedPoints {
     /// Sizes 4 to `largest`, thin or round, centres up to 2.5 apart.
     RandomPair(RandomBodies& random, int largest) {
         const auto count = [&] { return 4 + static_cast<int>(random.bits()() % (largest - 3)); };
@@ -100,10 +97,7 @@ TEST(ExactDistanceRandom, same_bits_under_powers_of_two) {
         for (const int k : {-900, -60, -7, 1, 60, 900}) {
             RandomPair scaled = pair;
             const double factor = std::ldexp(1.0, k);
-            for (Vec3d& v : scaled.a) v *= factor;
-            for (Vec3d& v : scaled.b) v *= factor;
-            scaled.pose_a.translation *= factor;
-            scaled.pose_b.translation *= factor;
+            scaled.scale(factor);
             expect_same(exact, scaled.ask(), factor);
         }
     }
@@ -119,15 +113,13 @@ TEST(ExactDistanceRandom, common_shift_changes_nothing) {
             pose->translation = pose->translation.unaryExpr(on_grid);
         }
         const ExactDistance exact = pair.ask();
-        const Vec3d shift(0x1p30, -0x1p31, 3 * 0x1p29);
-        pair.pose_a.translation += shift;
-        pair.pose_b.translation += shift;
+        pair.shift({0x1p30, -0x1p31, 3 * 0x1p29});
         expect_same(exact, pair.ask());
     }
 }
 
-/// A sphere cut off at x = 0.6: many vertices in one face, exact ties before the rotation, ties but for
-/// rounding after it. Scales, far-off vertices and flattening matrices as hard as they come.
+/// A sphere cut off at x = 0.6: many vertices in one face, exact ties before the rotation, ties
+/// except for rounding after it. Scales, far-off vertices and flattening matrices as hard as they come.
 Points cut_sphere(RandomBodies& random, std::vector<std::uint32_t>& face) {
     Points points = random.on_sphere(60);
     for (std::uint32_t i = 0; i < points.size(); ++i) {

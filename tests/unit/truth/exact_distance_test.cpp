@@ -9,13 +9,11 @@
 #include <cmath>
 #include <limits>
 
-#include "edgewise/truth/optimality.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth {
 namespace {
-
-const Points unit_box = box({0, 0, 0}, {1, 1, 1});
 
 ExactDistance ask(const Points& a, const Points& b, const Pose& pose_a = {}, const Pose& pose_b = {}) {
     const Result<ExactDistance> answer = exact_distance(a, pose_a, b, pose_b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The three verdicts of the exact oracle on tiny integer bodies, where contact of every kind is common,
-// against plain enumeration in machine integers: the normals n with n.w >= 0 for all points w of A - B form a
+// Exact verdicts and depths on tiny integer bodies, where contact of every kind is common, against plain
+// enumeration in machine integers. Verdicts: the normals n with n.w >= 0 for all points w of A - B form a
 // cone, and if the points span space its extreme rays are among the cross products of pairs.
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "exact_bodies.hpp"
 
@@ -17,16 +18,6 @@ namespace edgewise::truth {
 namespace {
 
 using Whole = Vec3<long>;
-
-Points grid_points(RandomBodies& random, std::size_t count) {
-    Points points;
-    const auto digit = [&] { return static_cast<double>(random.bits()() % 5) - 2; };
-    for (std::size_t i = 0; i < count; ++i) {
-        const double x = digit(), y = digit(), z = digit();
-        points.emplace_back(x, y, z);
-    }
-    return points;
-}
 
 std::vector<Whole> difference(const Points& a, const Points& b) {
     std::vector<Whole> result;
@@ -73,8 +64,8 @@ TEST(ExactVerdict, agrees_with_enumeration_on_a_grid) {
     int seen[3] = {};
     int touching_by_size[5] = {}, overlapping_by_size[5] = {};
     for (int i = 0; i < 6000; ++i) {
-        const Points a = grid_points(random, 2 + random.bits()() % 5);
-        const Points b = grid_points(random, 2 + random.bits()() % 5);
+        const Points a = random.on_grid(2 + random.bits()() % 5);
+        const Points b = random.on_grid(2 + random.bits()() % 5);
         const Enumeration expected = enumerate(difference(a, b));
         if (!expected.spans_space) continue;
         const ExactDistance exact = *exact_distance(a, {}, b, {});
@@ -111,6 +102,57 @@ TEST(ExactVerdict, cubes_on_a_decimal_lattice) {
     }
     EXPECT_GT(separated, 1000);
     EXPECT_GT(contact, 1000);
+}
+
+/// The least h^2 / n.n over all planes through three points of A - B that bound it; h counts from the origin.
+struct Quotient {
+    long top = 1;
+    long bottom = 0;
+};
+
+Quotient least_quotient(const std::vector<Whole>& points) {
+    Quotient least;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            for (std::size_t k = j + 1; k < points.size(); ++k) {
+                const Whole n = cross(Whole(points[j] - points[i]), Whole(points[k] - points[i]));
+                if (n.isZero()) continue;
+                const long height = dot(n, points[i]);
+                long low = 0, high = 0;
+                for (const Whole& p : points) {
+                    low = std::min(low, dot(n, p) - height);
+                    high = std::max(high, dot(n, p) - height);
+                }
+                if (low < 0 && high > 0) continue;
+                const long square = dot(n, n);
+                if (height * height * least.bottom < least.top * square || least.bottom == 0)
+                    least = {height * height, square};
+            }
+        }
+    }
+    return least;
+}
+
+TEST(ExactDepth, agrees_with_enumeration_on_a_grid) {
+    RandomBodies random(21);
+    int deep = 0, touching = 0, flat = 0;
+    for (int i = 0; i < 2500; ++i) {
+        const Points a = random.on_grid(1 + random.bits()() % 6);
+        const Points b = random.on_grid(1 + random.bits()() % 5);
+        const Result<ExactDepth> exact = exact_depth(a, {}, b, {});
+        if (!exact) continue;
+        const Quotient least = least_quotient(difference(a, b));
+        const double quotient =
+            least.bottom == 0 ? 0 : static_cast<double>(least.top) / static_cast<double>(least.bottom);
+        ASSERT_NEAR(exact->depth, std::sqrt(quotient), 4e-16 * exact->depth) << "pair " << i;
+        deep += exact->depth > 0;
+        touching += exact->depth == 0 && least.bottom > 0;
+        flat += least.bottom == 0;
+    }
+    std::printf("grid: %d deep, %d touching or in a plane, %d on a line\n", deep, touching, flat);
+    EXPECT_GT(deep, 500);
+    EXPECT_GT(touching, 100);
+    EXPECT_GT(flat, 3);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The paper's control beside the exact verdict: on random pairs they agree wherever the pair is not a matter
+// The paper's control against the exact verdict: on random pairs they agree wherever the pair is not a matter
 // of rounding, each of its three tests is needed for some pair, and what it cannot see is what its source
 // says.
 #include <gtest/gtest.h>

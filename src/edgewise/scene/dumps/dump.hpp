@@ -34,48 +34,12 @@ struct PastedPair {
 /// what is read; the warning says that a matrix was replaced by the nearest rotation.
 [[nodiscard]] Result<PastedPair> read_pasted(std::string_view text, const std::string& where);
 
-/// "Shape 1: ... X_FS1 ... Shape 2: ... X_FS2 ...", as FCL's ThrowDetailedConfiguration prints it: since 2019
-/// with columns apart by blanks, since 2023 as C++ with commas.
-[[nodiscard]] Result<PastedPair> read_fcl_dump(std::string_view text, const std::string& where);
-
 /// 12 or 16 numbers, row by row, the translation last in each row; the fourth row is 0 0 0 1. `name` opens
 /// the error and the warning.
 [[nodiscard]] Result<Pose> pose_from_rows(const std::vector<double>& numbers, const std::string& name);
 
-// Reading of texts that people paste: numbers between separators, words in a known order, quotes of a mail.
-// Everything is used up or refused.
-
-/// Removes the number that the text begins with, and returns it; nothing if the text begins with no number or
-/// with one that is not finite.
-[[nodiscard]] std::optional<double> take_number(std::string_view& text);
-
 /// All the numbers of a text that holds nothing else but blanks, brackets, and at most one comma or semicolon
 /// between two of them. The error names what is no number.
 [[nodiscard]] Result<std::vector<double>> numbers_in(std::string_view text);
-
-/// Without the '>' before quoted lines.
-[[nodiscard]] std::string without_quotes(std::string_view text);
-
-/// A text read word by word, blanks between them passed over.
-class WordReader {
-  public:
-    explicit WordReader(std::string_view text) : rest_(text) {}
-
-    /// Returns true if the word comes next; then it is skipped.
-    bool take(std::string_view word);
-    /// These words, apart by blanks, one after the other; # is any name. False at the first that is missing.
-    bool take_all(std::string_view words);
-    [[nodiscard]] std::optional<double> number();
-    [[nodiscard]] bool at_end();
-
-    /// The beginning of what is left, for a message.
-    [[nodiscard]] std::string next();
-
-  private:
-    void skip_blanks();
-    bool take_name();
-
-    std::string_view rest_;
-};
 
 }  // namespace edgewise::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/scene/hard/maker.hpp"
+#include "edgewise/scene/hard/families.hpp"
 
 #include <cmath>
 #include <numbers>

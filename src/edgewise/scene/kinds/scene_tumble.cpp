@@ -88,7 +88,7 @@ class Population {
     }
 
   private:
-    /// In metres; of the body as given, whatever its scale.
+    /// Way of one step in metres, for the body as given, whatever its scale.
     [[nodiscard]] double way_of_a_step() const {
         const double of_dimension = setup_["step_in_dimensions"];
         return of_dimension > 0 ? of_dimension * smallest_dimension(setup_.shape.vertices)
@@ -106,7 +106,8 @@ class Population {
     bool begun_ = false;
 };
 
-/// Cuts off what is too much; slots were numbered in order of appearance, so none is lost between.
+/// Removes the queries beyond this count. Slots were numbered in order of appearance, so the others have no
+/// gaps.
 void cut(std::size_t query_count, Workload& workload) {
     workload.queries.resize(query_count);
     while (workload.frames.back().first_query >= query_count) workload.frames.pop_back();
@@ -135,7 +136,7 @@ double scale_of_bodies(const SceneSetup& setup) {
     return coarse(cube_root(setup["box_of_bodies"] / setup["bodies"]));
 }
 
-/// From time order to pair by pair.
+/// Sorts the queries pair after pair instead of in time order.
 void group_by_pair(Workload& workload) {
     workload.frames.clear();
     std::stable_sort(workload.queries.begin(), workload.queries.end(),

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
+#include <span>
 #include <type_traits>
 
 #include "edgewise/geometry/message.hpp"
@@ -21,46 +23,23 @@
 namespace edgewise::scene {
 namespace {
 
-void put(std::string& to, const void* data, std::size_t bytes) {
-    if (bytes > 0) to.append(static_cast<const char*>(data), bytes);
+using Json = nlohmann::json;
+
+/// The items as they lie in memory.
+template <class Item>
+Json binary(const std::vector<Item>& items) {
+    const auto bytes = std::as_bytes(std::span(items));
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return Json::binary(std::vector<std::uint8_t>(first, first + bytes.size()));
 }
-void put(std::string& to, std::uint64_t number) { put(to, &number, sizeof number); }
-void put(std::string& to, const std::string& text) {
-    put(to, text.size());
-    put(to, text.data(), text.size());
+
+template <class Item>
+std::vector<Item> items_of(const Json& json) {
+    const std::vector<std::uint8_t>& bytes = json.get_binary();
+    std::vector<Item> items(bytes.size() / sizeof(Item));
+    std::memcpy(static_cast<void*>(items.data()), bytes.data(), items.size() * sizeof(Item));
+    return items;
 }
-
-/// Takes values from the front; once one is missing, all are.
-class Taker {
-  public:
-    explicit Taker(std::string_view bytes) : rest_(bytes) {}
-
-    void take(void* to, std::size_t bytes) {
-        whole_ = whole_ && bytes <= rest_.size();
-        if (!whole_ || bytes == 0) return;
-        std::memcpy(to, rest_.data(), bytes);
-        rest_.remove_prefix(bytes);
-    }
-    std::uint64_t number() {
-        std::uint64_t value = 0;
-        take(&value, sizeof value);
-        return whole_ ? value : 0;
-    }
-    /// Reads a count and that number of items; returns no items if the rest is too short for them.
-    template <class Items>
-    Items items() {
-        const std::uint64_t count = number();
-        whole_ = whole_ && count <= rest_.size() / sizeof(typename Items::value_type);
-        Items all(whole_ ? count : 0, typename Items::value_type{});
-        take(all.data(), all.size() * sizeof(typename Items::value_type));
-        return all;
-    }
-    [[nodiscard]] bool whole() const { return whole_; }
-
-  private:
-    std::string_view rest_;
-    bool whole_ = true;
-};
 
 using Parts = Result<std::vector<MeshPart>>;
 
@@ -130,8 +109,8 @@ std::string one_line(std::string reason) {
     return reason.empty() ? "unknown reason" : reason;
 }
 
-/// What a COLLADA file's root does to the file's coordinates: Assimp puts the unit and the up axis there and
-/// nothing else.
+/// Says how the root of a COLLADA file changes the file's coordinates: Assimp puts the unit and the up axis
+/// there and nothing else.
 std::string change_by_root(const aiMatrix4x4& root) {
     const float scale = aiVector3D(root.a1, root.b1, root.c1).Length();
     const char* const up = root.b3 > 0 ? "Z" : root.b1 > 0 ? "X" : "Y";
@@ -167,7 +146,7 @@ Parts parts_of(const std::string& path, bool as_stored) {
     return Parts::success(std::move(parts), change);
 }
 
-/// In the child.
+/// Runs in the child process.
 std::string parts_as_bytes(const std::string& path, bool as_stored) {
     try {
         return bytes_of(parts_of(path, as_stored));
@@ -183,41 +162,28 @@ std::string parts_as_bytes(const std::string& path, bool as_stored) {
 }  // namespace
 
 std::string bytes_of(const Parts& parts) {
-    std::string bytes;
-    put(bytes, parts.error);
-    put(bytes, parts.warning);
-    put(bytes, parts ? parts->size() : 0);
-    if (!parts) return bytes;
-    for (const MeshPart& part : *parts) {
-        put(bytes, part.name);
-        put(bytes, 3 * part.points.size());
-        for (const Vec3d& point : part.points) put(bytes, point.data(), 3 * sizeof(double));
-        put(bytes, 3 * part.triangles.size());
-        for (const auto& triangle : part.triangles) put(bytes, triangle.data(), 3 * sizeof(Index));
-        put(bytes, std::uint64_t{part.in_single});
+    Json all = Json::array();
+    for (std::size_t k = 0; parts && k < parts->size(); ++k) {
+        const MeshPart& part = (*parts)[k];
+        all.push_back({part.name, binary(part.points), binary(part.triangles), part.in_single});
     }
+    std::string bytes;
+    Json::to_cbor({{"error", parts.error}, {"warning", parts.warning}, {"parts", all}}, bytes);
     return bytes;
 }
 
 Parts parts_from(std::string_view bytes) {
-    Taker taker(bytes);
-    if (std::string error = taker.items<std::string>(); !error.empty()) return Parts::failure(error);
-    std::string warning = taker.items<std::string>();
-    std::vector<MeshPart> parts;
-    for (std::uint64_t left = taker.number(); left > 0 && taker.whole(); --left) {
-        MeshPart& part = parts.emplace_back();
-        part.name = taker.items<std::string>();
-        const auto coordinates = taker.items<std::vector<double>>();
-        for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
-            part.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-        const auto corners = taker.items<std::vector<Index>>();
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-            part.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-        part.in_single = taker.number() != 0;
-    }
-    if (!taker.whole())
+    try {
+        const Json json = Json::from_cbor(bytes);
+        if (const std::string error = json.at("error"); !error.empty()) return Parts::failure(error);
+        std::vector<MeshPart> parts;
+        for (const Json& part : json.at("parts"))
+            parts.push_back({part.at(0), items_of<Vec3d>(part.at(1)),
+                             items_of<std::array<Index, 3>>(part.at(2)), part.at(3)});
+        return Parts::success(std::move(parts), json.at("warning"));
+    } catch (const Json::exception&) {
         return Parts::failure(": cannot be read as a mesh: the reader's answer was cut short");
-    return Parts::success(std::move(parts), std::move(warning));
+    }
 }
 
 Parts assimp_parts(const std::string& path, bool as_stored, const input::GuardLimits& limits) {

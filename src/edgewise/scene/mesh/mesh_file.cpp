@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// From the parts of a mesh file to convex bodies; every message starts with the file's name.
+// Finds the reader of a mesh file, and makes convex bodies of its parts. Every message begins with the path.
 #include "edgewise/scene/mesh/mesh_file.hpp"
 
 #include <algorithm>
@@ -16,12 +16,46 @@
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/mesh/mesh_parts.hpp"
+#include "edgewise/scene/mesh/mesh_text.hpp"
 
 namespace edgewise::scene {
 namespace {
 
 using Bodies = Result<std::vector<MeshBody>>;
+using Parts = Result<std::vector<MeshPart>>;
+
+constexpr std::uint64_t most_mesh_bytes = std::uint64_t{1} << 30;
+
+/// Assimp holds several copies of a file, in nodes of its own, and takes 0.1 s for a megabyte of text.
+input::GuardLimits usual_limits(std::uint64_t bytes) {
+    return {(std::uint64_t{1} << 30) + 200 * bytes, std::chrono::seconds(10 + bytes / 200'000)};
+}
+
+/// Errors and warnings without the path.
+Parts parts_of(const std::string& path, bool as_stored, const std::optional<input::GuardLimits>& limits) {
+    if (std::string wrong = input::what_is_wrong_with(path); !wrong.empty())
+        return Parts::failure(": " + wrong);
+    std::error_code code;
+    const std::uint64_t bytes = std::filesystem::file_size(path, code);
+    if (bytes == 0) return Parts::failure(": is empty (0 bytes)");
+    const std::string ending = lowered(std::filesystem::path(path).extension().string());
+    if (ending == ".obj" || ending == ".stl") {
+        const auto text = input::read_file_text(path, most_mesh_bytes);
+        if (!text) return Parts::failure(text.error.substr(path.size()));
+        return ending == ".obj" ? obj_parts(*text) : stl_parts(*text);
+    }
+    if (std::string wrong = mesh_header_error(path); !wrong.empty()) return Parts::failure(": " + wrong);
+    if (ending == ".ply" || ending == ".off") {
+        const auto text = input::read_file_text(path, most_mesh_bytes);
+        if (!text) return Parts::failure(text.error.substr(path.size()));
+        if (std::string wrong = ending == ".ply" ? ply_rows_error(*text) : off_rows_error(*text);
+            !wrong.empty())
+            return Parts::failure(std::move(wrong));
+    }
+    return assimp_parts(path, as_stored, limits.value_or(usual_limits(bytes)));
+}
 
 /// All parts as one, so that a surface that is split by material counts as closed.
 MeshPart joined(const std::vector<MeshPart>& parts) {
@@ -36,8 +70,8 @@ MeshPart joined(const std::vector<MeshPart>& parts) {
     return all;
 }
 
-/// After equal points are welded, every edge is run as often in one direction as in the other, so that sums
-/// of tetrahedra depend on no origin.
+/// Returns true if each edge, after welding equal points, occurs as often in one direction as in the other.
+/// Then sums of tetrahedra do not depend on the origin.
 bool is_closed(std::span<const std::array<Index, 3>> triangles, std::span<const Index> weld) {
     std::map<std::pair<Index, Index>, long> balance;  // of an edge, by its lower and higher vertex
     for (const std::array<Index, 3>& triangle : triangles) {
@@ -101,7 +135,8 @@ std::string step_warning(const MeshBody& mesh) {
                    " of the body's size; move it to the origin, or write it as OBJ, which is read in double");
 }
 
-/// A vertex has no number of the user's: readers number corners, and geometry counts from 0.
+/// Removes the numbers of vertices, which are not those of the user's file: readers number corners, and
+/// geometry counts from 0.
 std::string hull_error(const std::string& error) {
     const std::string text = std::regex_replace(error, std::regex("vertex [0-9]+"), "a vertex");
     return text.starts_with("flat") ? text + "; a solid is needed here: judge takes flat meshes" : text;
@@ -123,8 +158,16 @@ Result<MeshBody> body_of(const MeshPart& part, const MeshReading& reading) {
 
 }  // namespace
 
+Parts read_mesh_parts(const std::string& path, bool as_stored,
+                      const std::optional<input::GuardLimits>& limits) {
+    Parts parts = parts_of(path, as_stored, limits);
+    if (!parts.error.empty()) parts.error = path + parts.error;
+    if (!parts.warning.empty()) parts.warning = path + ": " + parts.warning;
+    return parts;
+}
+
 Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
-    Result<std::vector<MeshPart>> parts = read_mesh_parts(path, reading.as_stored);
+    Parts parts = read_mesh_parts(path, reading.as_stored);
     if (!parts) return Bodies::failure(parts.error);
     if (reading.grouping == MeshGrouping::one_hull) *parts = {joined(*parts)};
     const std::string stem = std::filesystem::path(path).stem().string();

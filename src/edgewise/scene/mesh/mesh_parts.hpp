@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a mesh file holds, as plain points and triangles in the file's world frame.
+// The contents of a mesh file, as plain points and triangles in the file's world frame.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct MeshPart {
 [[nodiscard]] Result<std::vector<MeshPart>> read_mesh_parts(
     const std::string& path, bool as_stored = false, const std::optional<input::GuardLimits>& limits = {});
 
-// What each format has for itself. Errors begin with ":LINE: " where they are about a line, else with ": ".
+// Functions of single formats. Errors begin with ":LINE: " where they are about a line, else with ": ".
 
 /// The parts of an OBJ text, in double (Assimp and Debian's tinyobjloader read single precision, take 0,5 for
 /// a number and name no line). A new object (o), group (g) or material (usemtl) begins a part. A part has the

@@ -41,8 +41,13 @@ class TextLines {
 
 /// What a reader throws at a line that it refuses.
 struct MeshFault {
-    std::size_t line;
+    std::size_t line;  ///< 0: of the whole file
     std::string what;
+
+    /// ":LINE: what", or ": what" for the whole file.
+    [[nodiscard]] std::string text() const {
+        return line == 0 ? ": " + what : ":" + std::to_string(line) + ": " + what;
+    }
 };
 
 }  // namespace edgewise::scene

@@ -17,7 +17,7 @@ namespace {
 using Parts = Result<std::vector<MeshPart>>;
 using Words = std::vector<std::string_view>;
 
-/// What does not change the points: normals, textures, shading and levels of detail.
+/// Statements that do not change the points: normals, textures, shading and levels of detail.
 constexpr std::string_view passed_over[] = {"vt",        "vn",    "vp",       "s",        "mg",
                                             "lod",       "bevel", "c_interp", "d_interp", "shadow_obj",
                                             "trace_obj", "ctech", "stech",    "usemap"};
@@ -34,7 +34,8 @@ struct ObjPart {
     std::vector<ObjElement> elements;
 };
 
-/// Without a comment, and with the lines that a backslash at the end adds.
+/// Returns the statement that begins on this line: without comments, and with the lines that a backslash
+/// joins.
 std::string whole_statement(TextLines& lines) {
     std::string statement;
     for (;;) {
@@ -116,8 +117,9 @@ class ObjReader {
         } else if (words[0] == "l" || words[0] == "p") {
             take_element(words, false);
         } else if (std::ranges::find(passed_over, words[0]) == std::end(passed_over)) {
-            fail(message("'", on_one_line(words[0]),
-                         "' is nothing that is read of an OBJ file; points, lines and polygons are"));
+            fail(message(
+                "'", on_one_line(words[0]),
+                "' is not a statement that is read from OBJ files; only points, lines and polygons are"));
         }
     }
 
@@ -143,7 +145,7 @@ class ObjReader {
         if (number == 0) fail("vertex 0: OBJ counts vertices from 1");
         const auto known = static_cast<std::int64_t>(vertices_.size());
         if (number < -known)
-            fail(message("no vertex ", number, ": ", known, known == 1 ? " stands" : " stand",
+            fail(message("no vertex ", number, ": ", known, known == 1 ? " vertex comes" : " vertices come",
                          " before this line"));
         if (number > std::numeric_limits<Index>::max())
             fail(message("no vertex ", number, ": too many for any mesh"));
@@ -154,7 +156,7 @@ class ObjReader {
         return static_cast<Index>(number < 0 ? known + number : number - 1);
     }
 
-    /// A name that stays the same begins nothing; nor does the first material, or one of a part without
+    /// A repeated name does not begin a part; nor does the first material, or a material after a part without
     /// elements.
     void take_name(const Words& words) {
         std::string name;
@@ -211,7 +213,7 @@ Parts obj_parts(std::string_view text) {
         reader.read(text);
         return reader.parts();
     } catch (const MeshFault& fault) {
-        return Parts::failure(message(":", fault.line, ": ", fault.what));
+        return Parts::failure(fault.text());
     }
 }
 

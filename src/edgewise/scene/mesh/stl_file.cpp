@@ -147,7 +147,7 @@ Parts stl_parts(std::string_view bytes) {
         if (parts.empty()) return Parts::failure(": has no mesh inside");
         return Parts::success(std::move(parts));
     } catch (const MeshFault& fault) {
-        return Parts::failure(message(":", fault.line, ": ", fault.what));
+        return Parts::failure(fault.text());
     }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "edgewise/scene/hard/maker.hpp"
+#include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 

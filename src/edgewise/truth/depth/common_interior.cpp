@@ -2,8 +2,7 @@
 //
 // Cutting planes over the cone of normals n with n.w >= 0 for all points w seen so far. A normal from the
 // middle of the cone is tried on all vertices; a point below it is a new cut. Ends with a normal that
-// separates, or with a cone that has nothing left. Finite: every cut is a vertex pair not seen before. No
-// tolerance.
+// separates, or with an empty cone. Finite: every cut is a vertex pair not seen before. No tolerance.
 #include "edgewise/truth/depth/common_interior.hpp"
 
 #include <algorithm>
@@ -59,7 +58,7 @@ IntegerVec normal_to(const std::vector<IntegerVec>& basis) {
     return basis.size() == 2 ? cross(basis[0], basis[1]) : perpendicular_to(basis[0]);
 }
 
-/// Adds points of A - B on both sides of the normal's plane; false if there is a side without.
+/// Adds points of A - B on both sides of the normal's plane; returns false if one side has none.
 bool straddles(ExactPair& bodies, const IntegerVec& normal, std::vector<IntegerVec>& points) {
     LowestPoint below = bodies.lowest(normal);
     if (sgn(below.height) >= 0) return false;

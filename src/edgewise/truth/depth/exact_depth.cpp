@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "edgewise/geometry/message.hpp"
-#include "edgewise/truth/depth/depth_proof.hpp"
 #include "edgewise/truth/dyadic.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 
 namespace edgewise::truth {
 
@@ -55,7 +55,7 @@ Vec3d rounded_unit(const IntegerVec& normal) {
     return {entry(normal.x), entry(normal.y), entry(normal.z)};
 }
 
-/// The verdict was found another way.
+/// Compares the depth with the verdict of exact_distance, which is found in another way.
 void require_agreement(bool is_deep, ExactVerdict verdict) {
     if (is_deep != (verdict == ExactVerdict::overlapping)) {
         throw std::logic_error("exact depth: the verdict says otherwise");

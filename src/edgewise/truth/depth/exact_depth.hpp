@@ -2,7 +2,7 @@
 //
 // How deep two convex bodies are in each other, exactly: the least translation that separates them, which is
 // the least distance of the origin from a facet's plane of the Minkowski difference A - B. Every answer is
-// proved before it is given (depth_proof.hpp).
+// proved before it is given (exact_proof.hpp).
 //
 // EPA on GMP integers: a polytope of points of A - B grows at the face that is nearest to the origin until
 // that face's plane bounds all of A - B. It needs no tolerance and not the whole hull of A - B, so there is

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK over the filter's coordinates, shifted by the exact offset between the bodies rounded once, so the
-// guess is good however far from the origin the pair is. Stops when nothing gets better; no tolerance is
-// needed where nothing depends on the answer.
+// guess is good however far from the origin the pair is. Stops when nothing improves; needs no tolerance,
+// because no result depends on the guess.
 #include "edgewise/truth/depth/seed_simplex.hpp"
 
 #include <algorithm>

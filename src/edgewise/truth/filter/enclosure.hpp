@@ -18,4 +18,12 @@ namespace edgewise::truth {
 /// symmetric bodies of one centre. Looks for points of A - B on all sides of the simplex.
 [[nodiscard]] bool encloses_with_more(PosedPair& pair, const MinimumSimplex<Vec3d>& simplex);
 
+/// About a - b between closest points when B is moved away from A by a little: the direction along which the
+/// bodies touch, if they do. Zero if that was not enough.
+[[nodiscard]] Vec3d nudged_separation(PosedPair& pair);
+
+/// Returns true if some point is surely inside both: strictly inside a tetrahedron of vertices of each.
+/// Points about halfway between the centres are tried. Then no plane separates the bodies, not even weakly.
+[[nodiscard]] bool share_a_point(PosedPair& pair);
+
 }  // namespace edgewise::truth

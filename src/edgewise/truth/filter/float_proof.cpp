@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "edgewise/truth/filter/contact_proof.hpp"
+#include "edgewise/geometry/double_double.hpp"
 #include "edgewise/truth/filter/enclosure.hpp"
-#include "edgewise/truth/filter/rounding.hpp"
-#include "edgewise/truth/filter/wide_bounds.hpp"
 
 namespace edgewise::truth {
 
 namespace {
 
-/// How nearly as low as the lowest vertices count as level, over the span of the pair, and up to how many
-/// pairs of them are tried before the next scan: that of two quadrilaterals. Neither decides anything.
+/// Vertices count as level within this slack, over the span of the pair. At most this many pairs of them,
+/// those of two quadrilaterals, are tried before the next scan. Neither number decides anything.
 constexpr double level_slack = 0x1p-24;
 constexpr std::size_t most_level_pairs = 16;
 constexpr int most_proof_steps = 64;  // a cap on wasted time only: exact arithmetic takes over from there
@@ -36,6 +35,78 @@ std::array<double, 3> proof_weights(const MinimumSimplex<Vec3d>& s) {
 
 double squared_gap(const MinimumSimplex<Vec3d>& simplex) {
     return simplex.height * simplex.height / squared_norm(simplex.direction);
+}
+
+// The two bounds of a distance again, where those in double are too far from each other: the few vertices
+// that decide are computed as sums of two doubles. A world coordinate is three exact products and an exact
+// difference of translations, summed in double-double: off by less than 2^-96 of the lengths in it. So is a
+// height along a unit direction.
+
+/// The bound of these sums, relative to the lengths in them: 2^-96 with a margin of 64.
+constexpr double wide_rounding = 0x1p-90;
+
+/// R v
+DoubleDoubleVec turned(const Pose& pose, const Vec3d& v) {
+    DoubleDoubleVec result;
+    for (int i = 0; i < 3; ++i) result[i] = accurate_dot(Vec3d(pose.rotation.row(i)), v);
+    return result;
+}
+
+DoubleDoubleVec minus(const DoubleDoubleVec& a, const DoubleDoubleVec& b) {
+    return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
+}
+
+DoubleDouble along(const Vec3d& direction, const DoubleDoubleVec& v) {
+    return v.x() * DoubleDouble(direction.x()) + v.y() * DoubleDouble(direction.y()) +
+           v.z() * DoubleDouble(direction.z());
+}
+
+DoubleDoubleVec offset_of(const PosedPair& pair) {
+    return exact_difference(pair.pose_b().translation, pair.pose_a().translation, 1);
+}
+
+/// The highest of the candidates along the direction.
+DoubleDouble highest(std::span<const std::uint32_t> candidates, const ScannedBody& body, const Pose& pose,
+                     const Vec3d& direction) {
+    DoubleDouble best = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t i : candidates) {
+        const DoubleDouble height = along(direction, turned(pose, body.vertex(i)));
+        if (height > best) best = height;
+    }
+    return best;
+}
+
+/// A height of A - B along the direction that none of its points is below, after a scan along it: only
+/// vertices that the scan cannot distinguish from the lowest are computed again.
+double wide_least_height(PosedPair& pair, const Vec3d& direction, const ScannedLowest& scanned) {
+    constexpr double u = proof_rounding;
+    const auto of_a = pair.a().as_high_as(scanned.height_a - 2.5 * scanned.error_a);
+    const auto of_b = pair.b().as_high_as(scanned.height_b - 2.5 * scanned.error_b);
+    const DoubleDouble least_a = -highest(of_a, pair.a(), pair.pose_a(), -direction);
+    const DoubleDouble most_b = highest(of_b, pair.b(), pair.pose_b(), direction);
+    const double height = (least_a - most_b - along(direction, offset_of(pair))).value();
+    return height - u * std::abs(height) - wide_rounding * pair.span();
+}
+
+/// An upper bound of the length of the mean of the simplex's points with these weights, which are not
+/// negative.
+double wide_length(const PosedPair& pair, const MinimumSimplex<Vec3d>& simplex,
+                   const std::array<double, 3>& weights) {
+    constexpr double u = proof_rounding;
+    const DoubleDoubleVec offset = offset_of(pair);
+    DoubleDoubleVec sum = DoubleDoubleVec::Zero();
+    DoubleDouble total;
+    for (int i = 0; i < simplex.size; ++i) {
+        const VertexPair corner = simplex.pair[i];
+        const DoubleDoubleVec point = minus(minus(turned(pair.pose_a(), pair.a().vertex(corner.a)),
+                                                  turned(pair.pose_b(), pair.b().vertex(corner.b))),
+                                            offset);
+        const DoubleDouble weight = weights[i];
+        sum = {sum.x() + weight * point.x(), sum.y() + weight * point.y(), sum.z() + weight * point.z()};
+        total += weight;
+    }
+    const Vec3d mean = Vec3d(sum.x().value(), sum.y().value(), sum.z().value()) / total.value();
+    return norm(mean) * (1 + 16 * u) + wide_rounding * pair.span();
 }
 
 class ProofSearch {
@@ -74,7 +145,7 @@ class ProofSearch {
         return apart > 0 ? Vec3d(-pair_.offset() / apart) : Vec3d(1, 0, 0);
     }
 
-    /// By a height that no point of A - B is below, along the direction.
+    /// Improves the bounds by a height along the direction that no point of A - B is below.
     void raise(double least_height) {
         constexpr double u = proof_rounding;
         const double length = norm(direction_);
@@ -102,8 +173,8 @@ class ProofSearch {
         return nearer;
     }
 
-    /// All vertices about as low as the lowest: along a good guess the corners of the nearest features, and
-    /// the answer's simplex is among them.
+    /// Takes all vertices about as low as the lowest. Along a good guess these are the corners of the nearest
+    /// features, which include the answer's simplex.
     bool take_level() {
         const double slack = level_slack * pair_.span();
         const auto on_a = pair_.a().as_high_as(lowest_.height_a - slack);

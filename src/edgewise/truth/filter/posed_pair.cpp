@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/truth/filter/rounding.hpp"
-
 namespace edgewise::truth {
 
 namespace {

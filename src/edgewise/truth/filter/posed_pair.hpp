@@ -18,6 +18,10 @@
 
 namespace edgewise::truth {
 
+/// The largest relative error of an operation in double: the unit of rounding, half of
+/// Tolerance<double>::eps, with a margin of 1/128 for terms of second order and for underflow.
+inline constexpr double proof_rounding = 0x1.02p-53;
+
 /// The lowest point of A - B along a direction, and a height that none of its points is below.
 struct ScannedLowest {
     VertexPair pair;

@@ -30,7 +30,7 @@ Highest ScannedBody::highest(const Vec3d& along) {
     const Four dx = along.x() - Four{}, dy = along.y() - Four{}, dz = along.z() - Four{};
     constexpr double none = -std::numeric_limits<double>::infinity();
     Four best = none - Four{};
-    FourPlaces place{}, here{};  // each lane's own: its first highest
+    FourPlaces place{}, here{};  // per lane: where its first highest is
     for (std::size_t i = 0; i < heights_.size(); ++i) {
         const Four height = dx * x_[i] + dy * y_[i] + dz * z_[i];
         heights_[i] = height;
@@ -46,7 +46,7 @@ Highest ScannedBody::highest(const Vec3d& along) {
         if (best[lane] > height || (best[lane] == height && vertex < first)) first = vertex;
         height = std::max(height, best[lane]);
     }
-    if (height == none) return {0, std::numeric_limits<double>::quiet_NaN()};  // of a direction that is none
+    if (height == none) return {0, std::numeric_limits<double>::quiet_NaN()};  // the direction was not finite
     return {first, height};
 }
 
