@@ -2,15 +2,100 @@
 #include "edgewise/reports/answer/answer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
-#include "edgewise/reports/answer/contest.hpp"
+#include "edgewise/input/json_text.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
+
+std::vector<SweepRun> sweep_runs(const ReportData& data) {
+    const std::string prefix = store::run_key;
+    std::vector<SweepRun> runs;
+    for (const auto& [key, value] : data.meta) {
+        if (!key.starts_with(prefix)) continue;
+        const auto json = input::json_or_null(value);
+        const auto text = [&](const char* name) {
+            return json.is_object() && json.contains(name) && json[name].is_string()
+                       ? json[name].get<std::string>()
+                       : std::string();
+        };
+        if (text("build") != data.build.id) continue;
+        const auto count = [&](const char* name) {
+            return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
+        };
+        runs.push_back(
+            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
+    }
+    return runs;
+}
+
+bool any_unfinished(const std::vector<SweepRun>& runs) {
+    return std::any_of(runs.begin(), runs.end(), [](const SweepRun& run) { return !run.finished(); });
+}
+
+std::size_t missing_cells(const std::vector<SweepRun>& runs) {
+    std::size_t missing = 0;
+    for (const SweepRun& run : runs)
+        if (!run.finished() && run.planned > run.done) missing += run.planned - run.done;
+    return missing;
+}
+
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Returns "# cases at #e-#" for "3 cases at 1e-6", so that reasons that differ in numbers are equal.
+std::string without_numbers(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (!is_digit(c) && !(c == '.' && !out.empty() && out.back() == '#'))
+            out += c;
+        else if (out.empty() || out.back() != '#')
+            out += '#';
+    }
+    return out;
+}
+
+struct Found {
+    Gap gap;
+    std::set<std::string> probes, reasons;
+};
+
+}  // namespace
+
+Gaps gaps_of(const ReportData& data) {
+    Gaps all;
+    std::map<std::pair<std::string, std::string>, Found> found;
+    for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash,
+                              &data.effort, &data.fields, &data.peers}) {
+        for (const ReportCell& cell : *cells) {
+            for (const store::FigureRow& figure : cell.figures) {
+                ++(figure.value ? all.measured : all.missing);
+                if (figure.value) continue;
+                Found& one = found[{without_numbers(figure.reason), without_numbers(figure.remedy)}];
+                if (one.gap.figures++ == 0) one.gap.remedy = figure.remedy, one.gap.reason = figure.reason;
+                one.probes.insert(figure.probe);
+                one.reasons.insert(figure.reason);
+            }
+        }
+    }
+    for (auto& [key, one] : found) {
+        if (one.reasons.size() > 1) one.gap.reason = key.first, one.gap.remedy = key.second;
+        one.gap.probes.assign(one.probes.begin(), one.probes.end());
+        all.gaps.push_back(std::move(one.gap));
+    }
+    std::stable_sort(all.gaps.begin(), all.gaps.end(),
+                     [](const Gap& a, const Gap& b) { return a.figures > b.figures; });
+    return all;
+}
 
 namespace {
 

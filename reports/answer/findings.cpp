@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/answer/findings.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "edgewise/reports/answer/answer_json.hpp"
-#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

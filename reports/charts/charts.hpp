@@ -29,7 +29,7 @@ struct Chart {
     std::string section = {};               ///< of the chapter that shows it
     ChartJson file = {};                    ///< what its file says (spec_file.hpp)
     ChartJson points = ChartJson::array();  ///< the rows that it draws
-    int figure = 0;  ///< of the paper: then it comes as PDF and CSV too (page/paper_figures.hpp)
+    bool is_cited = false;                  ///< comes as PDF and CSV too (write_cited_figures)
 };
 
 /// Its specification as JSON; what is no UTF-8 in a name is replaced.

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/results/cell_identity.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 

@@ -2,15 +2,18 @@
 //
 // Which figures are a cell's main ones: those of the vocabulary that are one figure, not a family with one
 // for each structure, field, step or size; and of families over machines, misses and the time of memory.
-// Breakdowns stay in the store; `edgewise export` writes them.
+// Breakdowns stay in the store; `edgewise export` writes them. And the columns that name a cell in files of
+// results.
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/results/csv_row.hpp"
 
 namespace edgewise::reports {
 
@@ -27,5 +30,12 @@ namespace edgewise::reports {
 
 /// All cells of a store, whatever run they are of, in the order of the report.
 [[nodiscard]] std::vector<const ReportCell*> every_cell(const ReportData& data);
+
+/// Adds the names of the columns.
+void add_identity_header(CsvRow& row);
+/// Adds their values.
+void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell);
+/// The same as members of an object, in the same order.
+[[nodiscard]] nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell);
 
 }  // namespace edgewise::reports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/answer/break_even_text.hpp"
+#include "edgewise/reports/answer/break_even_map.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/pictures/break_even_picture.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/chapters/sentences.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <fmt/core.h>
 

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_study.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"

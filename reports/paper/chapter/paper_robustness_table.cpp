@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

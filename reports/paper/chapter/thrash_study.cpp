@@ -196,9 +196,9 @@ std::vector<ThrashRow> thrash_rows(const ReportData& data) {
         row.cell = cell;
         row.mechanism = text_parameter(*cell, "mechanism");
         row.machine = text_parameter(*cell, "machine");
-        row.intensity = scene_number(*cell, "intensity").value_or(0);
-        row.time_step = scene_number(*cell, "time_step").value_or(0);
-        row.own_tables = scene_number(*cell, "own_tables").value_or(0) != 0;
+        row.intensity = parameter_of(*cell, "intensity").value_or(0);
+        row.time_step = parameter_of(*cell, "time_step").value_or(0);
+        row.own_tables = parameter_of(*cell, "own_tables").value_or(0) != 0;
         for (const store::FigureRow& figure : cell->figures)
             if (const auto setting = setting_of(figure)) row.settings.push_back(*setting);
         rows.push_back(std::move(row));
@@ -211,7 +211,7 @@ std::vector<RealisedRow> realised_rows(const ReportData& data) {
     for (const ReportCell* cell : rows_of_run(data, store::Run::thrash_realised, "mechanism")) {
         RealisedRow row;
         row.cell = cell;
-        const auto number = [&](const char* name) { return scene_number(*cell, name).value_or(0); };
+        const auto number = [&](const char* name) { return parameter_of(*cell, name).value_or(0); };
         row.number = static_cast<int>(number("number"));
         row.what = fmt::format("{:g} bodies, {:g} MiB, {:g} us a fault; {}, {}, steps of {}",
                                number("bodies"), number("memory_mib"), number("fault_us"), cell->table,

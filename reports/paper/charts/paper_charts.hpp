@@ -22,7 +22,7 @@ inline constexpr const char* own_section = "own";  ///< a user's own scenes
 
 /// Makes it the chart of that figure of the paper: "figure_4".
 inline void number_chart(Chart& chart, int figure) {
-    chart.figure = figure;
+    chart.is_cited = true;
     chart.name = "figure_" + std::to_string(figure);
 }
 

@@ -32,7 +32,7 @@ bool fits(const ReportCell& cell, const CellKey& key) {
 std::optional<double> cells_place_of(const ReportCell& cell, const std::string& parameter) {
     if (parameter == "vertices") return static_cast<double>(cell.vertices);
     if (has_random_orientation(cell)) return std::nullopt;
-    return scene_number(cell, parameter);
+    return parameter_of(cell, parameter);
 }
 
 std::string no_stored_cell(const CellKey& key) {

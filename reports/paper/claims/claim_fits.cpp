@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Relative residuals, since the largest body's value would outweigh all others'.
-#include "edgewise/reports/paper/claims/claim_fits.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 #include <fmt/core.h>
 

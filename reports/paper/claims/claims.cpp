@@ -13,6 +13,7 @@
 #include <set>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
@@ -95,17 +96,10 @@ std::string outer_caches(const nlohmann::json& machine) {
     return out;
 }
 
-std::string cpu_name(const nlohmann::json& machine) {
-    if (!machine.contains("cpu") || !machine["cpu"].is_object()) return {};
-    const nlohmann::json& name = machine["cpu"].value("name", nlohmann::json());
-    return name.is_string() ? name.get<std::string>() : std::string();
-}
-
-std::string machine_of_claims(const std::string& machine_json) {
-    const auto machine = input::json_or_null(machine_json);
+std::string machine_of_claims(const ReportData& data) {
+    const auto machine = input::json_or_null(data.build.machine_json);
     if (!machine.is_object()) return "not stored";
-    std::string out = cpu_name(machine);
-    if (out.empty()) out = "a processor without a name";
+    std::string out = processor_text(data);
     append(out, outer_caches(machine));
     return out;
 }
@@ -194,7 +188,7 @@ TextGrid claims_grid(const ReportData& data) {
 std::string claim_conditions(const ReportData& data, bool deterministic) {
     const std::string seeds = seeds_in_words(data);
     if (deterministic) return seeds + ", on any machine";
-    return fmt::format("{}, on this machine: {}; {}", seeds, machine_of_claims(data.build.machine_json),
+    return fmt::format("{}, on this machine: {}; {}", seeds, machine_of_claims(data),
                        data.build.compiler.empty() ? "compiler not stored" : data.build.compiler);
 }
 

@@ -3,7 +3,7 @@
 // The tables of the chapter on the paper's figures from synthetic data.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "paper_data.hpp"
 
 namespace edgewise::reports {

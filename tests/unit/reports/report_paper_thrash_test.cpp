@@ -4,7 +4,7 @@
 // neither, or not known.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
 #include "paper_data.hpp"
 

@@ -111,7 +111,7 @@ TEST(CsvRow, TextsAreNoFormulasAndComeBack) {
 }
 
 TEST(CsvRow, NumbersAreNotTouched) {
-    EXPECT_EQ(CsvRow().number(-1.5).number(std::nullopt).count(-3).seed(~0ull).number(5e-324).line(),
+    EXPECT_EQ(CsvRow().number(-1.5).number(std::nullopt).field(-3).field(~0ull).number(5e-324).line(),
               "-1.5,,-3,18446744073709551615,5e-324\r\n");
 }
 

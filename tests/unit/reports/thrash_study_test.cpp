@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "paper_data.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/page/chapters/compare_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -8,8 +8,6 @@
 
 #include <stdexcept>
 
-#include "edgewise/reports/records/compare_records.hpp"
-
 namespace edgewise::reports {
 namespace {
 
