@@ -36,7 +36,7 @@ std::string shown(const SceneLabelJson& value) {
 
 const SceneStandard* standard_of(std::string_view kind, std::string_view parameter) {
     const auto standards = scene_standards();
-    const auto found = std::find_if(standards.begin(), standards.end(), [&](const SceneStandard& standard) {
+    const auto found = std::ranges::find_if(standards, [&](const SceneStandard& standard) {
         return standard.kind == kind && standard.parameter == parameter;
     });
     return found == standards.end() ? nullptr : &*found;

@@ -17,20 +17,21 @@
 
 namespace edgewise::reports {
 
-/// A parameter's value that is not written in a label, unless it is what tells scenes of its kind apart.
+/// A parameter's standard value, which a label omits unless scenes of the kind differ by it.
 struct SceneStandard {
     std::string_view kind, parameter;
     double value;
     bool always_said = false;
 };
-/// Those of `edgewise list scenes`; a test of the command line holds the two together.
+/// Returns the standard values, equal to those of `edgewise list scenes` (a test of the command line compares
+/// the two).
 [[nodiscard]] std::span<const SceneStandard> scene_standards();
 
-/// "tumble (rotation_step 0.1, bodies 100)"; of a scene file, whose text is its JSON, its name and the value
-/// of what it varies: "more_bodies (bodies 200)".
+/// Returns "tumble (rotation_step 0.1, bodies 100)"; for a scene file, given as its JSON, its name and the
+/// value of what it varies: "more_bodies (bodies 200)".
 [[nodiscard]] std::string scene_label(const store::CellRow& cell, const std::string& file_text = {});
 
-/// A number among the cell's scene parameters; null where there is none of that name.
+/// Returns a number of the cell's scene parameters; null if none has that name.
 [[nodiscard]] std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name);
 
 /// Returns the kind of scene of a scene file, else the scene itself.

@@ -38,7 +38,7 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
 }
 
 bool any_unfinished(const std::vector<SweepRun>& runs) {
-    return std::any_of(runs.begin(), runs.end(), [](const SweepRun& run) { return !run.finished(); });
+    return std::ranges::any_of(runs, [](const SweepRun& run) { return !run.finished(); });
 }
 
 std::size_t missing_cells(const std::vector<SweepRun>& runs) {
@@ -92,8 +92,7 @@ Gaps gaps_of(const ReportData& data) {
         one.gap.probes.assign(one.probes.begin(), one.probes.end());
         all.gaps.push_back(std::move(one.gap));
     }
-    std::stable_sort(all.gaps.begin(), all.gaps.end(),
-                     [](const Gap& a, const Gap& b) { return a.figures > b.figures; });
+    std::ranges::stable_sort(all.gaps, [](const Gap& a, const Gap& b) { return a.figures > b.figures; });
     return all;
 }
 
@@ -125,7 +124,7 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
     const auto found = shapes.find(question.shape.value_or(reference));
     if (found != shapes.end()) return &found->second;
     if (question.shape) return nullptr;
-    return &std::max_element(shapes.begin(), shapes.end(), [](const auto& a, const auto& b) {
+    return &std::ranges::max_element(shapes, [](const auto& a, const auto& b) {
                 return a.second.front()->vertices < b.second.front()->vertices;
             })->second;
 }
@@ -226,7 +225,7 @@ std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes, co
 
 std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes) {
     std::map<std::pair<std::string, std::string>, Tally> tallies;
-    const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneRanking& scene) {
+    const bool any_quiet = std::ranges::any_of(scenes, [](const SceneRanking& scene) {
         return scene.winner() && scene.recommends() && !scene.too_noisy;
     });
     for (const SceneRanking& scene : scenes) {
@@ -240,9 +239,8 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
     }
     std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
     if (tallies.empty()) return std::nullopt;
-    const auto best = std::min_element(tallies.begin(), tallies.end(), [](const auto& a, const auto& b) {
-        return a.second.better_than(b.second);
-    });
+    const auto best = std::ranges::min_element(
+        tallies, [](const auto& a, const auto& b) { return a.second.better_than(b.second); });
     Recommendation take{best->first.first, best->first.second, {}};
     take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
     for (const SceneRanking& scene : scenes) {

@@ -186,8 +186,8 @@ std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes, con
     if (!take && missing.empty()) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
     if (!take) return AdviceText{condition_of(own_tables) + ", nothing is recommended.", missing};
-    if (std::all_of(take->scenes.begin(), take->scenes.end(),
-                    [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
+    if (std::ranges::all_of(take->scenes,
+                            [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
         return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
                           noisy_sentence(scenes).substr(1)};
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
@@ -255,7 +255,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
     if (text.advice.empty())
         text.advice.push_back(
             {"No cell of this store answers the question.",
-             "It takes cells that were timed beside the baseline and whose errors are known."});
+             "An answer needs cells with known errors that were timed in the same rounds as the baseline."});
     text.conditions = conditions_of(answer, data);
     const std::string noise = noise_text(answer);
     text.noise =

@@ -103,7 +103,7 @@ std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const 
     for (auto at = first; at != last; ++at) {
         const ReportCell& cell = *at->second;
         if (cell.shape != shape) continue;
-        return cell.reason.empty() ? "not timed beside the baseline"
+        return cell.reason.empty() ? "not timed in the same rounds as the baseline"
                                    : fmt::format("{}: {}", to_string(cell.status), cell.reason);
     }
     return "no scene of this store is of such bodies there";

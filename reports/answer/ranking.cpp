@@ -147,24 +147,21 @@ std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit
 const RankedCell* SceneRanking::winner() const { return ties.empty() ? nullptr : &cells[ties.front()]; }
 
 const RankedCell* SceneRanking::find(const std::string& algorithm, const std::string& table) const {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
-        return one.cell->algorithm == algorithm && one.table == table;
-    });
+    const auto found = std::ranges::find_if(
+        cells, [&](const RankedCell& one) { return one.cell->algorithm == algorithm && one.table == table; });
     return found == cells.end() ? nullptr : &*found;
 }
 
 const RankedCell* SceneRanking::baseline() const { return find(ratios_to.algorithm, ratios_to.table); }
 
 const RankedCell* SceneRanking::best(const std::string& algorithm) const {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
-        return one.meets_error() && one.cell->algorithm == algorithm;
-    });
+    const auto found = std::ranges::find_if(
+        cells, [&](const RankedCell& one) { return one.meets_error() && one.cell->algorithm == algorithm; });
     return found == cells.end() ? nullptr : &*found;
 }
 
 const RankedCell* SceneRanking::best_peer() const {
-    const auto within =
-        std::find_if(peers.begin(), peers.end(), [](const RankedCell& one) { return one.meets_error(); });
+    const auto within = std::ranges::find_if(peers, [](const RankedCell& one) { return one.meets_error(); });
     if (within != peers.end()) return &*within;
     return peers.empty() ? nullptr : &peers.front();
 }

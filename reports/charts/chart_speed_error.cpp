@@ -23,7 +23,7 @@ namespace edgewise::reports {
 
 ErrorAxis::ErrorAxis(std::vector<double> errors) : errors_(std::move(errors)) {
     assert(!errors_.empty());
-    std::sort(errors_.begin(), errors_.end());
+    std::ranges::sort(errors_);
     const auto positive = std::upper_bound(errors_.begin(), errors_.end(), 0.0);
     const double least = positive == errors_.end() ? 1e-15 : std::min(1e-15, *positive);
     while (floor_ > least / 10 && floor_ > 1e-300) floor_ /= 10;
@@ -128,9 +128,10 @@ void note_places(const ChartJson& values, std::vector<std::string>& notes) {
             if (count > 0)
                 notes.push_back(fmt::format("{} of {} points have {}", count, values.size(), text));
         };
-        note(zeros, fmt::format("a {} error of exactly 0: they stand on the dotted line at the left edge, "
-                                "whose place on the axis means nothing.",
-                                kind.title));
+        note(zeros,
+             fmt::format("a {} error of exactly 0: they are drawn on the dotted line at the left edge, "
+                         "whose place on the axis means nothing.",
+                         kind.title));
         note(missing, fmt::format("no {} error: they are not drawn with it.", kind.title));
     }
 }

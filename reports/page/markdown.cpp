@@ -46,7 +46,7 @@ std::string bytes_markdown(const ReportData& data, const Answer& answer) {
                  columns_of("algorithm|table type|#total|#paper's subtotal (slope)|#table, bytes"),
                  {}};
     const std::size_t total = all.columns.size() - 4;
-    std::stable_sort(all.rows.begin(), all.rows.end(), [&](const auto& a, const auto& b) {
+    std::ranges::stable_sort(all.rows, [&](const auto& a, const auto& b) {
         return a[total].why.empty() && b[total].why.empty() &&
                std::stod(a[total].text) < std::stod(b[total].text);
     });

@@ -172,7 +172,7 @@ std::string points_csv(const ChartJson& points) {
     std::vector<std::string> columns;
     for (const ChartJson& point : points)
         for (const auto& [name, value] : point.items())
-            if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+            if (std::ranges::find(columns, name) == columns.end()) columns.push_back(name);
     CsvRow header;
     for (const std::string& name : columns) header.text(name);
     std::string text = header.line();

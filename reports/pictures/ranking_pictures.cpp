@@ -249,7 +249,7 @@ std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene) {
     std::vector<std::size_t> front;
     for (std::size_t i = 0; i < within.size(); ++i)
         if (on_front[i]) front.push_back(within[i]);
-    std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::sort(front, [&](std::size_t a, std::size_t b) {
         return *scene.cells[a].bytes_per_edge < *scene.cells[b].bytes_per_edge;
     });
     return front;

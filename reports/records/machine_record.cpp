@@ -106,7 +106,7 @@ measure::FigureRecord modelled_record(const ReportData& data, const measure::Cac
     }
     if (record.rows.empty())
         throw std::runtime_error(fmt::format(
-            "the store has no modelled memory time of '{0}' beside {1}; run edgewise sweep --caches all --machines {0}",
+            "the store has no modelled memory time of '{0}' and of {1}; run edgewise sweep --caches all --machines {0}",
             machine.name, modelled_baseline));
     return record;
 }

@@ -22,20 +22,20 @@ namespace edgewise::reports {
     return figure.probe + "." + figure.name;
 }
 
-/// Its place in the vocabulary, by which columns are ordered; null: it is a breakdown.
+/// Returns the place of a figure in the vocabulary, by which columns are ordered; null for a breakdown.
 [[nodiscard]] std::optional<std::size_t> main_place(const std::string& key);
 
-/// What the vocabulary says of a main figure; null: it is none.
+/// Returns the entry of a main figure in the vocabulary; null if the figure is not a main one.
 [[nodiscard]] const store::FigureInfo* main_info(const std::string& key);
 
 /// All cells of a store, whatever run they are of, in the order of the report.
 [[nodiscard]] std::vector<const ReportCell*> every_cell(const ReportData& data);
 
-/// Adds the names of the columns.
+/// Adds the names of the columns that name a cell.
 void add_identity_header(CsvRow& row);
-/// Adds their values.
+/// Adds the values of these columns for a cell.
 void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell);
-/// The same as members of an object, in the same order.
+/// Returns the columns that name a cell as members of an object, in their order.
 [[nodiscard]] nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell);
 
 }  // namespace edgewise::reports

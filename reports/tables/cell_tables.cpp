@@ -75,8 +75,7 @@ std::vector<const ReportCell*> verified_cells(const ReportData& data, const std:
 std::vector<std::string> scene_labels(const ReportData& data) {
     std::vector<std::string> labels;
     for (const ReportCell* cell : data.swept())
-        if (std::find(labels.begin(), labels.end(), cell->scene_label) == labels.end())
-            labels.push_back(cell->scene_label);
+        if (std::ranges::find(labels, cell->scene_label) == labels.end()) labels.push_back(cell->scene_label);
     return labels;
 }
 

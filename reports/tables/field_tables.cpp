@@ -26,7 +26,7 @@ std::vector<std::string> fields_of(const ReportCell& row) {
     for (const store::FigureRow& figure : row.figures)
         if (auto field = field_number.value_in(figure.probe, figure.name); field && figure.value)
             found.emplace_back(*figure.value, std::move(*field));
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     std::vector<std::string> fields;
     for (auto& [place, field] : found) fields.push_back(std::move(field));
     return fields;

@@ -16,7 +16,7 @@ std::vector<bool> pareto_front(std::span<const SpeedError> points) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!std::isnan(points[i].ns) && !std::isnan(points[i].error)) order.push_back(i);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
         return std::tie(points[a].error, points[a].ns) < std::tie(points[b].error, points[b].ns);
     });
     std::vector<bool> on_front(points.size());
@@ -38,7 +38,8 @@ bool asks_another_question(const ReportCell& cell) {
     return cell.axis("needs") || cell.axis("contact_tolerance");
 }
 
-/// Why a timed cell has no place beside the others; empty: it has one, and `point` is it.
+/// Returns why a timed cell has no place among the points; if it has one, sets `point` and returns an empty
+/// text.
 std::string read_point(const ReportCell& cell, FrontPoint& point) {
     if (cell.is_raw()) return "raw V-Clip is judged, and not for its speed";
     if (asks_another_question(cell)) return "its axis asks another question";
@@ -48,8 +49,7 @@ std::string read_point(const ReportCell& cell, FrontPoint& point) {
     point = {&cell, *time.value, {}, {}};
     for (std::size_t kind = 0; kind < error_kind_count; ++kind)
         point.errors[kind] = cell.figure(error_kinds[kind].figure).value;
-    if (std::any_of(point.errors.begin(), point.errors.end(), [](const auto& error) { return bool(error); }))
-        return {};
+    if (std::ranges::any_of(point.errors, [](const auto& error) { return bool(error); })) return {};
     return "error: " + cell.figure("error.worst_error_given").reason;
 }
 
@@ -66,20 +66,18 @@ void find_front(std::vector<FrontPoint>& points, std::size_t kind) {
 }
 
 void finish(FrontPanel& panel) {
-    std::stable_sort(panel.points.begin(), panel.points.end(),
-                     [](const FrontPoint& a, const FrontPoint& b) { return a.ns < b.ns; });
+    std::ranges::stable_sort(panel.points, {}, &FrontPoint::ns);
     for (std::size_t kind = 0; kind < error_kind_count; ++kind) find_front(panel.points, kind);
 }
 
 }  // namespace
 
 bool FrontPoint::on_any_front() const {
-    return std::any_of(on_front.begin(), on_front.end(), [](bool on) { return on; });
+    return std::ranges::any_of(on_front, [](bool on) { return on; });
 }
 
 bool FrontPanel::has_peers() const {
-    return std::any_of(points.begin(), points.end(),
-                       [](const FrontPoint& point) { return point.cell->judged(); });
+    return std::ranges::any_of(points, [](const FrontPoint& point) { return point.cell->judged(); });
 }
 
 std::string gap_tolerance_of(const ReportCell& cell) { return cell.axis("gap_tolerance").value_or(""); }
@@ -97,7 +95,7 @@ Fronts fronts_of(const ReportData& data) {
                 fronts.left_out.emplace_back(&cell, std::move(why));
                 continue;
             }
-            const auto scene = std::find(scenes.begin(), scenes.end(), cell.scene_label) - scenes.begin();
+            const auto scene = std::ranges::find(scenes, cell.scene_label) - scenes.begin();
             FrontPanel& panel = panels[{scene, cell.vertices, cell.shape}];
             panel.scene_label = cell.scene_label, panel.shape = cell.shape, panel.vertices = cell.vertices;
             panel.points.push_back(point);
@@ -116,7 +114,7 @@ const std::string& front_name(const ReportCell& cell) { return cell.judged() ? c
 
 const std::string& front_table(const ReportCell& cell) { return cell.judged() ? cell.precision : cell.table; }
 
-/// Of which errors it is on the front: "p50, worst".
+/// Errors with which the point is on the front: "p50, worst".
 std::string fronts_it_is_on(const FrontPoint& point) {
     std::string list;
     for (std::size_t kind = 0; kind < error_kind_count; ++kind)

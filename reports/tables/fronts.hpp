@@ -60,7 +60,7 @@ struct Fronts {
         left_out;  ///< timed cells without a place, and why
 };
 
-/// Of all cells that were timed. The data must outlive the result.
+/// Returns the fronts over all timed cells. The data must outlive the result.
 [[nodiscard]] Fronts fronts_of(const ReportData& data);
 
 /// The value of `gap_tolerance` among a cell's axes, as text; empty where there is none.

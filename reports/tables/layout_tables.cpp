@@ -79,7 +79,7 @@ TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
         figure_grid("Bytes per edge of the built tables" + (all_shapes ? std::string() : ", " + shape), names,
                     total_columns);
     std::vector<const ReportCell*> cells = verified_cells(data, shape);
-    std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
+    std::ranges::stable_sort(cells, [](const ReportCell* a, const ReportCell* b) {
         const double total_a = sort_total(*a), total_b = sort_total(*b);
         return std::tie(b->vertices, a->shape, b->algorithm, total_b, a->table) <
                std::tie(a->vertices, b->shape, a->algorithm, total_a, b->table);
@@ -151,7 +151,7 @@ std::string reference_scene(const ReportData& data) {
 TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);
     std::vector<const ReportCell*> cells = verified_cells(data, shape, scene);
-    std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
+    std::ranges::stable_sort(cells, [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(b->algorithm, lines_of(*a)) < std::make_tuple(a->algorithm, lines_of(*b));
     });
     return cell_grid(fmt::format("{}, {}, fewest lines first", scene, shape), "algorithm|table type",
@@ -169,7 +169,7 @@ TextGrid counters_grid(const ReportData& data) {
         const auto has = [&](const ReportCell* cell) {
             return cell->figure(column.figure).value.has_value();
         };
-        if (std::any_of(cells.begin(), cells.end(), has)) shown.push_back(column);
+        if (std::ranges::any_of(cells, has)) shown.push_back(column);
     }
     return cell_grid(cells.empty() ? "" : scene + ", " + shape + ", per query", "algorithm|table type", shown,
                      cells);
@@ -184,7 +184,7 @@ TextGrid scene_memory_grid(const ReportData& data) {
 
 TextGrid scale_grid(const ReportData& data) {
     TextGrid grid{
-        "GJK over 64 instances of a body, each at a scale of its own: views of one table beside a table each",
+        "GJK over 64 instances of a body, each at a scale of its own: views of one table, and a table each",
         columns_of(
             "scene|shape|table type|#query, shared, ns|#tables of their own, ns|#shared / own|"
             "#bytes, shared|#bytes, own|#own / shared|#to build one, ns|#to refit it, ns|#worst error")};
@@ -258,8 +258,7 @@ std::vector<SeededCell> seeded_cells(const ReportData& data) {
     const auto place = [](const SeededCell& of) {
         return std::make_tuple(comparison_of(*of.cell), of.seed_bytes, of.cell);
     };
-    std::sort(all.begin(), all.end(),
-              [&](const SeededCell& a, const SeededCell& b) { return place(a) < place(b); });
+    std::ranges::sort(all, [&](const SeededCell& a, const SeededCell& b) { return place(a) < place(b); });
     const auto same = [](const SeededCell& a, const SeededCell& b) { return a.cell == b.cell; };
     all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
@@ -281,7 +280,7 @@ namespace {
 constexpr double claimed = 5;
 constexpr store::FigureName query_ns("support.query_ns.{start}");
 
-/// The same scene, shape, precision and start on both layouts; `faster`: separate over line.
+/// A scene, shape, precision and start on both layouts.
 struct Compared {
     const ReportCell *line, *separate;
     std::string start;
@@ -306,7 +305,7 @@ std::vector<Compared> compared(const ReportData& data) {
             return is_plain(*other, "aos") && other->scene_label == line->scene_label &&
                    other->shape == line->shape && other->precision == line->precision;
         };
-        const auto separate = std::find_if(cells.begin(), cells.end(), same);
+        const auto separate = std::ranges::find_if(cells, same);
         if (separate == cells.end()) continue;
         for (const std::string start : {"cold", "warm"}) {
             const store::FigureName name = query_ns.of(start);
@@ -334,9 +333,8 @@ std::string support_verdict(const ReportData& data) {
     if (all.empty())
         return " Verdict: not measured; `edgewise sweep --layouts aos,line_per_vertex` measures it.";
     const auto slower = [](const Compared& a, const Compared& b) { return a.faster() < b.faster(); };
-    const Compared& best = *std::max_element(all.begin(), all.end(), slower);
-    const auto below =
-        std::count_if(all.begin(), all.end(), [](const Compared& row) { return row.faster() < 1; });
+    const Compared& best = *std::ranges::max_element(all, slower);
+    const auto below = std::ranges::count_if(all, [](const Compared& row) { return row.faster() < 1; });
     return fmt::format(
         " Verdict: {}; at most {:.2f} times as fast ({}, {}, {}, {} start), and slower in {} of {} comparisons.",
         best.faster() >= claimed ? "held" : "not held", best.faster(), best.line->scene_label,

@@ -20,7 +20,7 @@ namespace {
 class Reasons {
   public:
     std::size_t number(const std::string& why) {
-        const auto at = std::find(texts_.begin(), texts_.end(), why);
+        const auto at = std::ranges::find(texts_, why);
         if (at != texts_.end()) return static_cast<std::size_t>(at - texts_.begin()) + 1;
         texts_.push_back(why);
         return texts_.size();
@@ -181,9 +181,9 @@ std::vector<GridColumn> columns_of(std::string_view titles) {
 void drop_zero_columns(TextGrid& grid) {
     std::string zeros;
     for (std::size_t i = grid.columns.size(); i-- > 0;) {
-        const bool zero = grid.columns[i].number && !grid.rows.empty() &&
-                          std::all_of(grid.rows.begin(), grid.rows.end(),
-                                      [&](const auto& row) { return is_zero(row[i].text); });
+        const bool zero =
+            grid.columns[i].number && !grid.rows.empty() &&
+            std::ranges::all_of(grid.rows, [&](const auto& row) { return is_zero(row[i].text); });
         if (!zero) continue;
         append(zeros, grid.columns[i].title);
         const auto place = static_cast<std::ptrdiff_t>(i);

@@ -66,9 +66,8 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell* cell : verified_cells(data, shape, scene_label))
         cells.emplace_back(rank(*cell, kind), cell);
-    std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
-        return std::tie(a.second->vertices, a.second->shape, a.first) <
-               std::tie(b.second->vertices, b.second->shape, b.first);
+    std::ranges::stable_sort(cells, {}, [](const auto& one) {
+        return std::tie(one.second->vertices, one.second->shape, one.first);
     });
     for (const auto& [ns, cell] : cells) grid.rows.push_back(time_row(*cell, kind));
     return grid;
@@ -80,7 +79,7 @@ double separated_ns(const ReportCell& cell) {
     return cell.figure(store::separated_time.ns).value.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// Pairs in a row that are asked together: the same question, so beside the plain cells.
+/// Pairs in a row that are asked together: the same question, so shown with the plain cells.
 constexpr std::string_view batched = "batch=yes";
 
 /// The cells of a scene and shape that ask for the whole answer, ours and theirs, fastest first.
@@ -94,9 +93,8 @@ std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::s
                 cells.push_back(&cell);
         }
     }
-    std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
-        return separated_ns(*a) < separated_ns(*b);
-    });
+    std::ranges::stable_sort(
+        cells, [](const ReportCell* a, const ReportCell* b) { return separated_ns(*a) < separated_ns(*b); });
     return cells;
 }
 
@@ -124,7 +122,7 @@ std::vector<double> round_ratios(const ReportCell& cell, const ReportCell& to) {
 
 /// "0.42 (0.41 to 0.44)"
 GridCell ratio_to_peer(const ReportCell& cell, const ReportCell* peer) {
-    if (!peer) return missing_cell("no other library was measured beside it");
+    if (!peer) return missing_cell("no other library was measured in the same rounds");
     std::vector<double> ratios = round_ratios(cell, *peer);
     const auto middle = measure::median(ratios);
     const auto interval = median_interval(std::move(ratios));
@@ -161,12 +159,11 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
                              "#checked|#bytes of a table|#of its object|#of a pair")};
     std::vector<std::pair<std::int64_t, std::string>> shapes;
     for (const ReportCell& cell : data.peers) shapes.emplace_back(cell.vertices, cell.shape);
-    std::sort(shapes.begin(), shapes.end());
+    std::ranges::sort(shapes);
     shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
     for (const auto& [vertices, shape] : shapes) {
         const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape);
-        if (std::none_of(cells.begin(), cells.end(), [](const ReportCell* cell) { return cell->judged(); }))
-            continue;
+        if (std::ranges::none_of(cells, [](const ReportCell* cell) { return cell->judged(); })) continue;
         const ReportCell* peer = best_peer(cells);
         for (const ReportCell* cell : cells) grid.rows.push_back(row_of(*cell, peer));
     }

@@ -21,7 +21,7 @@ namespace {
 /// The map and where its winner changes.
 std::string break_even_html(const BreakEvenMap& map) {
     if (map.measured() == 0)
-        return html_paragraph("No scene of this store was timed beside the baseline.", "note");
+        return html_paragraph("No scene of this store was timed in the same rounds as the baseline.", "note");
     std::string html = html_paragraph(break_even_sentence(map), "sentence");
     html += "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Who wins where, as a picture\">" +
             break_even_svg(map) + "</div>\n";

@@ -110,9 +110,9 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
     return chapter;
 }
 
-/// Returns the machine whose misses are not folded: this machine if it was modelled, else the first.
+/// Returns the machine with misses in full view: this machine if it was modelled, else the first.
 std::string shown_machine(const std::vector<std::string>& machines) {
-    const bool host = std::find(machines.begin(), machines.end(), "host") != machines.end();
+    const bool host = std::ranges::find(machines, "host") != machines.end();
     return host ? "host" : machines.front();
 }
 
@@ -172,7 +172,7 @@ Chapter times_chapter(const Answer& answer, const ReportData& data) {
     return chapter;
 }
 
-/// Where other libraries were measured.
+/// Null if no other library was measured.
 std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& data) {
     if (!has_peers(data) && data.effort.empty()) return std::nullopt;
     Chapter chapter{.id = "peers",

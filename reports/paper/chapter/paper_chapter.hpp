@@ -47,10 +47,10 @@ namespace edgewise::reports {
 [[nodiscard]] TextGrid build_grid(const ReportData& data);
 
 /// Cache, paging or both; from what size, speed, number of bodies and memory on; what each layout does to it;
-/// and which sentence of the paper holds. What the store lacks is said to be missing, and why.
+/// and which sentence of the paper holds. Figures that the store lacks are named with the reason.
 [[nodiscard]] std::string thrash_paragraph(const ReportData& data);
 /// Its sentence on the machine that measured: V-Clip's time at 386 vertices over that at 38, at the fastest
-/// rotation, with a table for every body and with one for all; GJK's beside it.
+/// rotation, with a table for every body and with one for all; and GJK's.
 [[nodiscard]] std::string thrash_here(const ReportData& data);
 /// What each layout and sharing does to it at 386 vertices: knees, misses and memory time.
 [[nodiscard]] TextGrid thrash_grid(const ReportData& data);

@@ -182,7 +182,7 @@ TextGrid margin_grid(const ReportData& data) {
 }
 
 TextGrid tolerance_grid(const ReportData& data) {
-    TextGrid grid{"The paper's tolerance of 1e-5 beside none (aos_f64; queries that start warm)",
+    TextGrid grid{"The paper's tolerance of 1e-5 and none (aos_f64; queries that start warm)",
                   columns_of("shape|#rad per step|algorithm|#ns, none|#ns, 1e-5|#1e-5 / none|#steps, none|"
                              "#steps, 1e-5|#separated, none|#separated, 1e-5|#wrong verdicts, 1e-5")};
     std::map<std::tuple<std::int64_t, std::string, double, std::string>, CellPair> pairs;

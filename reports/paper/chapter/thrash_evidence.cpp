@@ -56,7 +56,7 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
         if (step && cell->verified() && cell->algorithm == algorithm_name && cell->table == table_name)
             cells.emplace_back(*step, cell);
     }
-    std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::sort(cells, [](const auto& a, const auto& b) { return a.first < b.first; });
     return cells;
 }
 
@@ -137,7 +137,7 @@ std::vector<PagingLimit> paging_limits(const ReportCell& row) {
         const auto is_limit = [&](const store::FigureRow& figure) {
             return figure.probe == "paging" && figure.name == limit;
         };
-        if (std::none_of(row.figures.begin(), row.figures.end(), is_limit)) return limits;
+        if (std::ranges::none_of(row.figures, is_limit)) return limits;
         const auto figure = [&](const store::FigureName& name) { return row.figure(name.of(number)); };
         limits.push_back(
             {figure("paging.limit_bytes.{limit}"), figure("paging.held_bytes.{limit}"),

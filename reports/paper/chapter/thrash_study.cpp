@@ -162,8 +162,8 @@ std::string other_machines_sentence(const std::vector<ThrashRow>& rows) {
 }  // namespace
 
 std::size_t ThrashRow::count(unsigned wanted) const {
-    return static_cast<std::size_t>(std::count_if(settings.begin(), settings.end(),
-                                                  [&](const ScoredSetting& one) { return one.has(wanted); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(settings, [&](const ScoredSetting& one) { return one.has(wanted); }));
 }
 
 std::string ThrashRow::name() const {

@@ -51,7 +51,7 @@ ChartJson levels_in_order() {
     return labels;
 }
 
-/// The scene's cells whose angle per step is nearest to the one that is shown.
+/// Adds the scene's cells with the angle per step nearest to the shown one.
 void add_scene(const StoredScene& scene, ChartJson& values) {
     std::set<std::pair<std::string, std::string>> done;
     for (const ReportCell* cell : scene.cells) {
@@ -61,7 +61,7 @@ void add_scene(const StoredScene& scene, ChartJson& values) {
     }
 }
 
-/// Rules are rows too: a layer with data of its own would stand in every panel.
+/// Rules are rows too: a layer with data of its own would be drawn in every panel.
 void add_rules(ChartJson& values) {
     struct Rule {
         const char *unit, *label;

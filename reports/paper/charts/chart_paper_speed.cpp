@@ -47,8 +47,8 @@ constexpr PaperFigure figures[] = {
     {8, 386, 1, 7, "1.2e-3 s, 12 times that of figure 7",
      "Enhanced GJK as with 8 and 38 vertices, V-Clip erratic"}};
 
-/// Where a cell stands, and how: random orientations separately, with a shape of their own; what lies beyond
-/// half a turn comes back over the same angles, as points that no line joins.
+/// Returns a cell's place and shape: random orientations are separate, with a shape of their own; angles
+/// beyond half a turn fold back over the same axis, as points that no line joins.
 ChartJson angle_of(const ReportCell& cell) {
     const double step = parameter_of(cell, "rotation_step").value_or(0);
     const bool random = has_random_orientation(cell);

@@ -89,8 +89,7 @@ std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key, c
             if (const auto x = cells_place_of(cell, parameter)) found.push_back({*x, &cell});
         }
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
+    std::ranges::stable_sort(found, [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
     return found;
 }
 

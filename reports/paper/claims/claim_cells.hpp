@@ -3,7 +3,7 @@
 // Finds the cells that a claim is about and takes figures from them as evidence. A cell that is not stored,
 // was not verified or lacks the figure gives the reason instead of a number. How a quantity grows: the
 // exponent of a power law through a curve, and whether a logarithm fits it better. And the claims by theme,
-// with what their rules have in common: which tables stand for the paper's two programs, and which of our
+// with what their rules have in common: which tables represent the paper's two programs, and which of our
 // speeds are in the range of which figure.
 #pragma once
 
@@ -34,7 +34,7 @@ struct CurvePoint {
     Evidence y;
 };
 
-/// Both ends belong to it.
+/// A closed range.
 struct CurveRange {
     double low = 0, high = 0;
 };
@@ -88,7 +88,7 @@ struct CurveRange {
     return {scene, shape, "gjk"};
 }
 
-/// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".
+/// Returns the shape with this number of vertices in the paper's scenes: "cube8", "sphere38".
 [[nodiscard]] std::string paper_shape(int vertices);
 /// The vertices of the scenes paper_angular_*.
 inline constexpr int angular_sizes[] = {8, 38, 386};

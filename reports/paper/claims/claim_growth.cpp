@@ -13,7 +13,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// "Performs as it did": within a factor of two, which the figures' three different axes cannot tell apart.
+/// "Performs as it did": within a factor of two, which is below the resolution of the figures' three axes.
 constexpr double as_before = 2;
 /// The axes of figures 6 and 7 end at 7e-5 s and 1e-4 s, a factor of 1.43: not below 1, not above 2.
 constexpr double scaled_low = 1, scaled_high = 2;
@@ -151,7 +151,7 @@ std::vector<CurvePoint> climbs(const ReportData& data) {
         curve_of(cells_along(data, gjk_key("paper_cold"), "vertices"), "work.vertices_per_support");
     // Bodies that are scanned do not climb; without any that do, the reason is theirs.
     const auto is_scanned = [](const CurvePoint& point) { return !point.y.value; };
-    if (!std::all_of(curve.begin(), curve.end(), is_scanned)) std::erase_if(curve, is_scanned);
+    if (!std::ranges::all_of(curve, is_scanned)) std::erase_if(curve, is_scanned);
     return curve;
 }
 

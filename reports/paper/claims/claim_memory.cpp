@@ -142,7 +142,8 @@ constexpr double cause_gone = 0.5;
 constexpr double least_misses = 0.001;
 constexpr const char* machines[] = {"pentium3_coppermine", "pentium2_deschutes", "athlon_thunderbird"};
 
-/// Of one of the scenes paper_thrash_*, geometric mean over the speeds in a reading's range of figure 8.
+/// Geometric mean of a figure in one of the scenes paper_thrash_*, over the speeds in a reading's range of
+/// figure 8.
 Evidence thrash_mean(const ReportData& data, int vertices, const std::string& algorithm,
                      const std::string& table, const TimeStepReading& reading,
                      const store::FigureName& figure) {

@@ -19,7 +19,7 @@ namespace {
 
 /// 3/n at the paper's 30 000 iterations of one sample point: fewer checks than that show little.
 constexpr double least_shown = 1e-4;
-/// A metric tells two algorithms apart when one fails a tenth more often.
+/// A metric distinguishes two algorithms if one fails a tenth more often.
 constexpr double apart = 1.1;
 
 bool is_subject(const ReportCell& cell) {
@@ -53,7 +53,8 @@ Evidence total(const Rows& rows, const store::FigureName& name) {
 }
 
 /// Cells of one scene, its parameters and one body are asked the same queries, whatever their algorithm,
-/// table type and axes: a sample of them, and not so many. The most of any such cell, all scenes together.
+/// table type and axes, so they are one sample. Returns the largest count of any such cell, summed over
+/// scenes.
 Evidence independent(const Rows& rows, const store::FigureName& name) {
     std::map<std::tuple<std::string, std::string, std::string, std::uint64_t>, double> most;
     for (const ReportCell* row : rows)
@@ -68,7 +69,8 @@ Evidence independent(const Rows& rows, const store::FigureName& name) {
     return exact_evidence(queries);
 }
 
-/// Of independent queries that some cell failed at, at most; where none did, up to the rule of three.
+/// Largest share of independent queries at which a cell may have failed; if none failed, up to the rule of
+/// three.
 Evidence bounded_share(const Evidence& failures, const Evidence& queries) {
     const Evidence share = quotient(failures, queries);
     if (!share.value || *share.value > 0) return share;
@@ -136,7 +138,7 @@ using Families = std::vector<std::string>;
 const Families random_pairs = {"random_fuzz", "cubes_random"}, all_families;
 
 bool is_among(const std::string& family, const Families& wanted) {
-    return wanted.empty() || std::find(wanted.begin(), wanted.end(), family) != wanted.end();
+    return wanted.empty() || std::ranges::find(wanted, family) != wanted.end();
 }
 
 /// Share of verdicts that are wrong at a tolerance, both algorithms and the families together.

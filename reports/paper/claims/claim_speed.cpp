@@ -98,7 +98,8 @@ constexpr double coherence_often = 0.5;
 /// "Problems": a quarter more time; "particularly well": no more than a tenth.
 constexpr double problem = 1.25, well = 1.1;
 
-/// Of paper_caching at 1 rad/s: asked from the pairs' last answers, or as if each query were the first.
+/// Cell of paper_caching at 1 rad/s: queries start from the pairs' last answers, or each as if it were the
+/// first.
 const ReportCell* caching_cell(const ReportData& data, int vertices, const std::string& algorithm,
                                const TimeStepReading& reading, bool cold) {
     const CellKey key{"paper_caching", paper_shape(vertices), algorithm,
@@ -125,7 +126,8 @@ Evidence no_caching_cells() {
         "at 1 rad/s, are stored");
 }
 
-/// What V-Clip saves over what GJK saves: every ratio was timed beside V-Clip's warm queries.
+/// Time that V-Clip saves over time that GJK saves; every ratio was timed in the same rounds as V-Clip's warm
+/// queries.
 Evidence gains_in_time(const CachingCells& cells) {
     return quotient(
         time_ratio(*cells.vclip_cold, *cells.vclip),

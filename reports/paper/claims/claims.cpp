@@ -115,8 +115,7 @@ std::vector<Claim> judge_claims(const ReportData& data) {
         std::move(claims.begin(), claims.end(), std::back_inserter(all));
     }
     for (Claim& claim : all) claim.conditions = claim_conditions(data, claim.deterministic);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Claim& a, const Claim& b) { return place_of_kind(a) < place_of_kind(b); });
+    std::ranges::stable_sort(all, {}, place_of_kind);
     return all;
 }
 
@@ -124,8 +123,8 @@ std::string claims_summary(const std::vector<Claim>& claims) {
     std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
     for (const Claim& claim : claims) {
         if (claim.kind != kinds_of_claims[0]) continue;
-        const auto found = std::find_if(names_by_verdict.begin(), names_by_verdict.end(),
-                                        [&](const auto& entry) { return entry.first == claim.verdict; });
+        const auto found = std::ranges::find_if(
+            names_by_verdict, [&](const auto& entry) { return entry.first == claim.verdict; });
         if (found == names_by_verdict.end())
             names_by_verdict.emplace_back(claim.verdict, claim.id);
         else

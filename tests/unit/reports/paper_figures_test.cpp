@@ -11,7 +11,7 @@
 #include "csv_reader.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {

@@ -5,7 +5,7 @@
 
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
 namespace {

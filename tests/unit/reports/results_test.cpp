@@ -12,7 +12,7 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
