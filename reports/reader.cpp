@@ -31,14 +31,14 @@ std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored) {
         std::string label = scene_label(cell);
         cells.push_back({std::move(cell), std::move(label)});
     }
-    std::sort(cells.begin(), cells.end(), [](const ReportCell& a, const ReportCell& b) {
+    std::ranges::sort(cells, [](const ReportCell& a, const ReportCell& b) {
         return std::tie(a.scene, a.scene_parameters, a.vertices, a.shape, a.algorithm, a.table, a.hash) <
                std::tie(b.scene, b.scene_parameters, b.vertices, b.shape, b.algorithm, b.table, b.hash);
     });
     return cells;
 }
 
-/// Moves the cells of which `is_one` is true.
+/// Moves the cells for which `is_one` is true.
 template <class IsOne>
 std::vector<ReportCell> take_out(std::vector<ReportCell>& cells, IsOne is_one) {
     std::vector<ReportCell> taken;
@@ -99,8 +99,8 @@ std::vector<const ReportCell*> ReportData::swept() const {
 
 std::size_t ReportData::count(store::CellStatus status) const {
     const auto has_it = [&](const ReportCell& cell) { return cell.status == status; };
-    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), has_it) +
-                                    std::count_if(from_files.begin(), from_files.end(), has_it));
+    return static_cast<std::size_t>(std::ranges::count_if(cells, has_it) +
+                                    std::ranges::count_if(from_files, has_it));
 }
 
 std::optional<std::string> ReportData::meta_value(std::string_view key) const {
@@ -111,10 +111,9 @@ std::optional<std::string> ReportData::meta_value(std::string_view key) const {
 
 bool ReportData::any_failed() const {
     const auto failed = [](const ReportCell& row) { return row.failed(); };
-    return count(store::CellStatus::failed) > 0 || std::any_of(stability.begin(), stability.end(), failed) ||
-           std::any_of(effort.begin(), effort.end(), failed) ||
-           std::any_of(fields.begin(), fields.end(), failed) ||
-           std::any_of(other_studies.begin(), other_studies.end(), failed);
+    return count(store::CellStatus::failed) > 0 || std::ranges::any_of(stability, failed) ||
+           std::ranges::any_of(effort, failed) || std::ranges::any_of(fields, failed) ||
+           std::ranges::any_of(other_studies, failed);
 }
 
 ReportData read_report(const std::string& store, const std::string& build, const store::OnCell& on_cell) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a store holds, sorted for showing: scenes are named for people, and the rows of other runs stand by
-// themselves.
+// The contents of a store, sorted for showing: scenes have names for people, and the rows of other runs are
+// separate.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace edgewise::reports {
 
-/// `axes` are part of `table` here, since their cells stand beside the plain ones.
+/// `axes` are part of `table` here, because cells with axes are shown next to the plain ones.
 struct ReportCell : store::StoredCell {
     std::string scene_label;  ///< what the scene is called (scene_label.hpp)
 
@@ -28,7 +28,7 @@ struct ReportCell : store::StoredCell {
 
 struct ReportData {
     std::vector<std::pair<std::string, std::string>> meta;  ///< in order of key
-    store::BuildRow build;                                  ///< whose cells these are
+    store::BuildRow build;                                  ///< the build that measured the cells
     std::vector<std::string> other_builds;                  ///< ids of builds in the store that are not shown
     std::vector<ReportCell> cells;  ///< by scene, parameters, vertices, shape, algorithm, table type, hash
     std::vector<ReportCell> from_files;  ///< cells of scenes that are files, which vary a number; likewise
@@ -47,7 +47,7 @@ struct ReportData {
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
     [[nodiscard]] std::size_t count(store::CellStatus status) const;  ///< of all cells
     [[nodiscard]] bool any_failed() const;                            ///< cell or stability row
-    /// What `meta` has under a key; null where it has none.
+    /// Returns the value of `meta` for a key; null if there is none.
     [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
 };
 

@@ -4,6 +4,7 @@
 // store and can be cited. Parameters that are no JSON object are shown as they are.
 #include "edgewise/reports/scene_label.hpp"
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -34,7 +36,7 @@ std::string shown(const SceneLabelJson& value) {
 
 const SceneStandard* standard_of(std::string_view kind, std::string_view parameter) {
     const auto standards = scene_standards();
-    const auto found = std::find_if(standards.begin(), standards.end(), [&](const SceneStandard& standard) {
+    const auto found = std::ranges::find_if(standards, [&](const SceneStandard& standard) {
         return standard.kind == kind && standard.parameter == parameter;
     });
     return found == standards.end() ? nullptr : &*found;
@@ -113,6 +115,96 @@ std::string scene_label(const store::CellRow& cell, const std::string& file_text
         if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
     const bool of_study = cell.run != store::sweep_run && cell.scene != cell.run;
     return label(of_study ? cell.run + " " + cell.scene : cell.scene, inside);
+}
+
+namespace {
+
+/// Returns "12 bodies" if the scene says how many.
+std::string bodies_text(const ReportCell& cell) {
+    const auto bodies = parameter_of(cell, "bodies");
+    return bodies ? plural(static_cast<std::size_t>(*bodies), "body", "bodies") : "bodies";
+}
+
+std::string turn_of(const ReportCell& cell) {
+    if (parameter_of(cell, "random_orientation") == 1) return "turn at random in every step";
+    const auto turn = parameter_of(cell, "rotation_step");
+    return turn ? fmt::format("turn by {:g} rad per step", *turn) : "turn";
+}
+
+std::string motion_of(const ReportCell& cell) {
+    const std::string kind = scene_kind(cell), bodies = bodies_text(cell);
+    if (kind == "static") return fmt::format("{} at rest, every pair new, from sweep and prune", bodies);
+    if (kind == "cold") return "independent random pairs, every query new";
+    if (kind == "gap") return "independent random pairs at given gaps, every query new";
+    if (kind == "tumble")
+        return fmt::format("{} drift and {}, pairs followed from step to step", bodies, turn_of(cell));
+    if (kind == "proximity") return fmt::format("pairs that stay close and {}", turn_of(cell));
+    if (kind == "pressure")
+        return fmt::format("{} in a row {}, neighbours asked in turn", bodies, turn_of(cell));
+    return kind;
+}
+
+}  // namespace
+
+std::string scene_kind(const ReportCell& cell) {
+    return cell.scene_kind.empty() ? cell.scene : cell.scene_kind;
+}
+
+bool has_own_tables(const ReportCell& cell) {
+    return scene_kind(cell) == "pressure" || parameter_of(cell, "own_tables") == 1;
+}
+
+std::string scene_sentence(const ReportCell& cell) {
+    return fmt::format("{}; {}", motion_of(cell),
+                       has_own_tables(cell) ? "a table for each body" : "one shared table");
+}
+
+namespace {
+
+constexpr double classes_per_decade = 2;
+
+/// Returns the nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
+double class_of(double turn) {
+    return std::pow(10, std::round(classes_per_decade * std::log10(turn)) / classes_per_decade);
+}
+
+}  // namespace
+
+std::string Coherence::text() const {
+    if (start == Start::fresh) return kind + ", every pair new";
+    if (start == Start::random) return kind + ", random turns";
+    return turn == 0 ? kind + ", no turn" : fmt::format("{}, {:.1g} rad", kind, turn);
+}
+
+std::optional<Coherence> coherence_of(const ReportCell& cell) {
+    const std::string kind = scene_kind(cell);
+    if (kind == "static" || kind == "cold" || kind == "gap")
+        return Coherence{Coherence::Start::fresh, 0, kind};
+    if (parameter_of(cell, "random_orientation") == 1) return Coherence{Coherence::Start::random, 0, kind};
+    const auto turn = parameter_of(cell, "rotation_step");
+    if (!turn || !(*turn >= 0)) return std::nullopt;
+    return Coherence{Coherence::Start::turned, *turn == 0 ? 0 : class_of(*turn), kind};
+}
+
+double distance_from_class(const ReportCell& cell, const Coherence& coherence) {
+    if (coherence.turn == 0) return 1;
+    const double turn = parameter_of(cell, "rotation_step").value_or(coherence.turn);
+    return std::max(turn / coherence.turn, coherence.turn / turn);
+}
+
+std::optional<int> tables_class(const ReportCell& cell) {
+    if (!has_own_tables(cell)) return -1;
+    const auto bodies = parameter_of(cell, "bodies");
+    if (!bodies || !(*bodies >= 1)) return std::nullopt;
+    int power = 0;
+    for (double next = 10; *bodies >= next; next *= 10) ++power;
+    return power;
+}
+
+std::string tables_class_text(int of) {
+    if (of < 0) return "one shared table";
+    const double first = std::pow(10, of);
+    return fmt::format("{:.0f} to {:.0f} tables", of == 0 ? 2 : first, 10 * first - 1);
 }
 
 }  // namespace edgewise::reports

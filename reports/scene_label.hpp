@@ -1,32 +1,72 @@
 // SPDX-License-Identifier: MIT
 //
 // What a scene is called: its name and the parameters that make it another scene than its kind's standard
-// one. A label depends on the cell alone, never on what else a store holds.
+// one; a label depends on the cell alone, never on what else a store holds. What happens in it, in one
+// sentence. And how much a query has in common with the last one of its pair, and how many tables the queries
+// go through: the break-even map looks up a winner by these two and by vertices.
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/store/rows.hpp"
 
 namespace edgewise::reports {
 
-/// A parameter's value that is not written in a label, unless it is what tells scenes of its kind apart.
+/// A parameter's standard value, which a label omits unless scenes of the kind differ by it.
 struct SceneStandard {
     std::string_view kind, parameter;
     double value;
     bool always_said = false;
 };
-/// Those of `edgewise list scenes`; a test of the command line holds the two together.
+/// Returns the standard values, equal to those of `edgewise list scenes` (a test of the command line compares
+/// the two).
 [[nodiscard]] std::span<const SceneStandard> scene_standards();
 
-/// "tumble (rotation_step 0.1, bodies 100)"; of a scene file, whose text is its JSON, its name and the value
-/// of what it varies: "more_bodies (bodies 200)".
+/// Returns "tumble (rotation_step 0.1, bodies 100)"; for a scene file, given as its JSON, its name and the
+/// value of what it varies: "more_bodies (bodies 200)".
 [[nodiscard]] std::string scene_label(const store::CellRow& cell, const std::string& file_text = {});
 
-/// A number among the cell's scene parameters; null where there is none of that name.
+/// Returns a number of the cell's scene parameters; null if none has that name.
 [[nodiscard]] std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name);
+
+/// Returns the kind of scene of a scene file, else the scene itself.
+[[nodiscard]] std::string scene_kind(const ReportCell& cell);
+
+/// Returns true if every body has a table of its own, false if all share one.
+[[nodiscard]] bool has_own_tables(const ReportCell& cell);
+
+/// Returns "100 bodies drift and turn by 0.1 rad per step, followed from step to step; one shared table".
+[[nodiscard]] std::string scene_sentence(const ReportCell& cell);
+
+/// How each pair starts a query, ordered from the most coherent to the least.
+struct Coherence {
+    enum class Start { turned, random, fresh };  ///< by an angle; at random; a pair without an earlier query
+
+    Start start = Start::fresh;
+    double turn = 0;   ///< radians per step: 0, or a power of the root of ten
+    std::string kind;  ///< kind of scene
+
+    auto operator<=>(const Coherence&) const = default;
+
+    /// Returns "tumble, 0.1 rad", "tumble, random turns", "cold, every pair new".
+    [[nodiscard]] std::string text() const;
+};
+
+/// Returns the coherence of a cell's scene; null if the scene does not say it.
+[[nodiscard]] std::optional<Coherence> coherence_of(const ReportCell& cell);
+
+/// Returns the ratio, at least 1, of the scene's turn to the turn of its class; 1 for scenes without a turn.
+[[nodiscard]] double distance_from_class(const ReportCell& cell, const Coherence& coherence);
+
+/// Returns the class of the number of tables: its power of ten; -1 if all bodies share one table.
+/// Null if the bodies have tables of their own and the scene does not say how many.
+[[nodiscard]] std::optional<int> tables_class(const ReportCell& cell);
+/// Returns "one shared table", "2 to 9 tables", "100 to 999 tables".
+[[nodiscard]] std::string tables_class_text(int of);
 
 }  // namespace edgewise::reports

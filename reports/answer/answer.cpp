@@ -2,15 +2,99 @@
 #include "edgewise/reports/answer/answer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
-#include "edgewise/reports/answer/contest.hpp"
+#include "edgewise/input/json_text.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
+
+std::vector<SweepRun> sweep_runs(const ReportData& data) {
+    const std::string prefix = store::run_key;
+    std::vector<SweepRun> runs;
+    for (const auto& [key, value] : data.meta) {
+        if (!key.starts_with(prefix)) continue;
+        const auto json = input::json_or_null(value);
+        const auto text = [&](const char* name) {
+            return json.is_object() && json.contains(name) && json[name].is_string()
+                       ? json[name].get<std::string>()
+                       : std::string();
+        };
+        if (text("build") != data.build.id) continue;
+        const auto count = [&](const char* name) {
+            return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
+        };
+        runs.push_back(
+            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
+    }
+    return runs;
+}
+
+bool any_unfinished(const std::vector<SweepRun>& runs) {
+    return std::ranges::any_of(runs, [](const SweepRun& run) { return !run.finished(); });
+}
+
+std::size_t missing_cells(const std::vector<SweepRun>& runs) {
+    std::size_t missing = 0;
+    for (const SweepRun& run : runs)
+        if (!run.finished() && run.planned > run.done) missing += run.planned - run.done;
+    return missing;
+}
+
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Returns "# cases at #e-#" for "3 cases at 1e-6", so that reasons that differ in numbers are equal.
+std::string without_numbers(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (!is_digit(c) && !(c == '.' && !out.empty() && out.back() == '#'))
+            out += c;
+        else if (out.empty() || out.back() != '#')
+            out += '#';
+    }
+    return out;
+}
+
+struct Found {
+    Gap gap;
+    std::set<std::string> probes, reasons;
+};
+
+}  // namespace
+
+Gaps gaps_of(const ReportData& data) {
+    Gaps all;
+    std::map<std::pair<std::string, std::string>, Found> found;
+    for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash,
+                              &data.effort, &data.fields, &data.other_studies, &data.peers}) {
+        for (const ReportCell& cell : *cells) {
+            for (const store::FigureRow& figure : cell.figures) {
+                ++(figure.value ? all.measured : all.missing);
+                if (figure.value) continue;
+                Found& one = found[{without_numbers(figure.reason), without_numbers(figure.remedy)}];
+                if (one.gap.figures++ == 0) one.gap.remedy = figure.remedy, one.gap.reason = figure.reason;
+                one.probes.insert(figure.probe);
+                one.reasons.insert(figure.reason);
+            }
+        }
+    }
+    for (auto& [key, one] : found) {
+        if (one.reasons.size() > 1) one.gap.reason = key.first, one.gap.remedy = key.second;
+        one.gap.probes.assign(one.probes.begin(), one.probes.end());
+        all.gaps.push_back(std::move(one.gap));
+    }
+    std::ranges::stable_sort(all.gaps, [](const Gap& a, const Gap& b) { return a.figures > b.figures; });
+    return all;
+}
 
 namespace {
 
@@ -40,7 +124,7 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
     const auto found = shapes.find(question.shape.value_or(reference));
     if (found != shapes.end()) return &found->second;
     if (question.shape) return nullptr;
-    return &std::max_element(shapes.begin(), shapes.end(), [](const auto& a, const auto& b) {
+    return &std::ranges::max_element(shapes, [](const auto& a, const auto& b) {
                 return a.second.front()->vertices < b.second.front()->vertices;
             })->second;
 }
@@ -141,7 +225,7 @@ std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes, co
 
 std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes) {
     std::map<std::pair<std::string, std::string>, Tally> tallies;
-    const bool any_quiet = std::any_of(scenes.begin(), scenes.end(), [](const SceneRanking& scene) {
+    const bool any_quiet = std::ranges::any_of(scenes, [](const SceneRanking& scene) {
         return scene.winner() && scene.recommends() && !scene.too_noisy;
     });
     for (const SceneRanking& scene : scenes) {
@@ -155,9 +239,8 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
     }
     std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
     if (tallies.empty()) return std::nullopt;
-    const auto best = std::min_element(tallies.begin(), tallies.end(), [](const auto& a, const auto& b) {
-        return a.second.better_than(b.second);
-    });
+    const auto best = std::ranges::min_element(
+        tallies, [](const auto& a, const auto& b) { return a.second.better_than(b.second); });
     Recommendation take{best->first.first, best->first.second, {}};
     take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
     for (const SceneRanking& scene : scenes) {

@@ -1,21 +1,52 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's answer: which layout to take in each scene, how sure that is, and what was not measured. One
-// function computes it from a store. Page, Markdown, the end of a sweep and `edgewise advise` show the same.
+// The report's answer: which layout to take in each scene, how sure that is, and what was not measured: the
+// sweeps that filled the store, how many figures were measured, and why the others were not. One function
+// computes it from a store. Page, Markdown, the end of a sweep and `edgewise advise` show the same.
 //
 // The ranker says which cell wins a scene and which tie with it (ranking.hpp). A scene in which V-Clip or GJK
-// lacks a small or a fast layout recommends nothing (contest.hpp).
+// lacks a small or a fast layout recommends nothing (check_contests).
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/answer/gaps.hpp"
-#include "edgewise/reports/answer/question.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
-#include "edgewise/reports/answer/sweep_runs.hpp"
+#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
+
+struct SweepRun {
+    std::string command;         ///< "sweep --plan quick"
+    std::size_t planned = 0;     ///< cells
+    std::size_t done = 0;        ///< number of planned cells that the sweep reached
+    std::string started, ended;  ///< UTC, ISO 8601; `ended` is empty when it was stopped
+    [[nodiscard]] bool finished() const { return !ended.empty(); }
+};
+
+/// Returns the sweeps of the build that is shown.
+[[nodiscard]] std::vector<SweepRun> sweep_runs(const ReportData& data);
+
+[[nodiscard]] bool any_unfinished(const std::vector<SweepRun>& runs);
+/// Returns the number of planned cells that no sweep reached; cells that two plans share count twice.
+[[nodiscard]] std::size_t missing_cells(const std::vector<SweepRun>& runs);
+
+struct Gap {
+    std::string reason, remedy;
+    std::vector<std::string> probes;  ///< the probes of these figures, in order
+    std::size_t figures = 0;
+};
+
+struct Gaps {
+    std::size_t measured = 0, missing = 0;
+    std::vector<Gap> gaps;  ///< the most figures first
+
+    [[nodiscard]] std::size_t figures() const { return measured + missing; }
+};
+
+/// Counts the gaps of a store's cells and rows. Reasons that differ in numbers only are one, each number a #.
+[[nodiscard]] Gaps gaps_of(const ReportData& data);
 
 /// Number of the store's cells by status.
 struct CellCounts {

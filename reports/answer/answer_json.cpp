@@ -82,7 +82,8 @@ AnswerJson dropped_json(const SceneRanking& scene) {
     return dropped;
 }
 
-/// Adds the winner under a larger limit: the fastest of the dropped cells, if it is faster than the winner.
+/// Adds the fastest of the dropped cells that is faster than the winner without a tie, or ties and is
+/// smaller.
 void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRanking& scene,
                       std::vector<std::string>& changes) {
     for (const RankedCell& one : scene.cells) {
@@ -91,8 +92,11 @@ void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRankin
         if (!worst_error || !scene.winner()) continue;
         const RankedCell& winner = *scene.winner();
         const bool smaller = one.bytes_per_edge && winner.bytes_per_edge &&
-                             *one.bytes_per_edge < *winner.bytes_per_edge && one.low() <= winner.high();
-        if (!smaller && one.high() >= winner.low()) continue;
+                             *one.bytes_per_edge < *winner.bytes_per_edge &&
+                             ties(one.range(), winner.range(), scene.own_variation);
+        const bool faster =
+            one.ratio < winner.ratio && !ties(winner.range(), one.range(), scene.own_variation);
+        if (!smaller && !faster) continue;
         changes.push_back(
             fmt::format("an error of {} or more allowed: {}, {} of the paper's time, {} bytes per edge",
                         number_text(*worst_error, "scale"), one.name(), ratio_text(one),

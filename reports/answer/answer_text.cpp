@@ -2,11 +2,17 @@
 #include "edgewise/reports/answer/answer_text.hpp"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
-#include "edgewise/reports/answer/contest.hpp"
+#include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -180,8 +186,8 @@ std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes, con
     if (!take && missing.empty()) return std::nullopt;
     const bool own_tables = scenes.front().own_tables;
     if (!take) return AdviceText{condition_of(own_tables) + ", nothing is recommended.", missing};
-    if (std::all_of(take->scenes.begin(), take->scenes.end(),
-                    [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
+    if (std::ranges::all_of(take->scenes,
+                            [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
         return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
                           noisy_sentence(scenes).substr(1)};
     AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
@@ -249,7 +255,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
     if (text.advice.empty())
         text.advice.push_back(
             {"No cell of this store answers the question.",
-             "It takes cells that were timed beside the baseline and whose errors are known."});
+             "An answer needs cells with known errors that were timed in the same rounds as the baseline."});
     text.conditions = conditions_of(answer, data);
     const std::string noise = noise_text(answer);
     text.noise =
@@ -286,6 +292,72 @@ std::string answer_paragraph(const Answer& answer, const ReportData& data) {
     for (const std::string* sentence : {&text.conditions, &text.noise, &text.counts})
         append(paragraph, *sentence, " ");
     return paragraph;
+}
+
+namespace {
+
+using UnitsJson = nlohmann::json;
+
+std::string cpu_name(const UnitsJson& machine) {
+    const UnitsJson cpu = machine.is_object() ? machine.value("cpu", UnitsJson()) : UnitsJson();
+    if (cpu.is_string()) return cpu.get<std::string>();
+    if (cpu.is_object() && cpu.contains("name") && cpu["name"].is_string()) return cpu["name"];
+    return "a processor that the store does not name";
+}
+
+std::vector<std::string> data_caches(const UnitsJson& machine) {
+    std::vector<std::string> sizes;
+    const UnitsJson caches = machine.is_object() ? machine.value("caches", UnitsJson()) : UnitsJson();
+    if (!caches.is_array()) return sizes;
+    for (const UnitsJson& cache : caches) {
+        if (!cache.is_object() || !cache.contains("bytes") || !cache["bytes"].is_number()) continue;
+        if (cache.contains("type") && cache["type"] == "Instruction") continue;
+        sizes.push_back(size_text(cache["bytes"].get<double>()));
+    }
+    return sizes;
+}
+
+/// Says for which processor the program was compiled, from the stored compiler flags.
+std::string tuning_text(const std::string& flags) {
+    constexpr std::string_view option = "-march=";
+    const std::size_t at = flags.rfind(option);
+    if (flags.empty()) return "compiler flags not recorded";
+    if (at == flags.npos) return "compiled with default flags (no -march)";
+    const std::size_t from = at + option.size();
+    const std::string processor = flags.substr(from, flags.find(' ', from) - from);
+    return fmt::format("compiled for {} ({}{})", processor == "native" ? "this processor" : processor, option,
+                       processor);
+}
+
+}  // namespace
+
+std::string limit_text(double limit) {
+    const int power = static_cast<int>(std::floor(std::log10(limit) + 1e-9));
+    const std::string factor = fmt::format("{:.3g}", limit / std::pow(10.0, power));
+    return fmt::format("{}e{}", factor, power);
+}
+
+std::string ratio_text(const RankedCell& cell) {
+    if (!cell.interval) return fmt::format("{:.2f}", cell.ratio);
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", cell.ratio, cell.low(), cell.high());
+}
+
+std::string size_text(double bytes) {
+    if (bytes >= mebibyte) return number_text(std::round(bytes / mebibyte * 10) / 10) + " MiB";
+    if (bytes >= kibibyte) return number_text(std::round(bytes / kibibyte * 10) / 10) + " KiB";
+    return number_text(bytes, "B") + " B";
+}
+
+std::string processor_text(const ReportData& data) {
+    return cpu_name(input::json_or_null(data.build.machine_json));
+}
+
+std::string machine_text(const ReportData& data) {
+    const UnitsJson machine = input::json_or_null(data.build.machine_json);
+    const std::vector<std::string> caches = data_caches(machine);
+    const std::string tuning = tuning_text(data.build.flags);
+    if (caches.empty()) return fmt::format("{}, {}", cpu_name(machine), tuning);
+    return fmt::format("{}, {} of cache, {}", cpu_name(machine), fmt::join(caches, " / "), tuning);
 }
 
 }  // namespace edgewise::reports

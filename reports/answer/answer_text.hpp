@@ -62,4 +62,9 @@ struct AnswerText {
 /// compiled for this processor (-march=native)".
 [[nodiscard]] std::string machine_text(const ReportData& data);
 
+/// Returns the findings: largest savings, then changes of the answer, then missing figures and a remedy.
+[[nodiscard]] std::vector<std::string> what_to_look_at(const Answer& answer);
+
+[[nodiscard]] std::vector<std::string> what_passed(const Answer& answer);
+
 }  // namespace edgewise::reports

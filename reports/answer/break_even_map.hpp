@@ -2,7 +2,8 @@
 //
 // Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
 // ranked scenes of all bodies of a store, each put in its place. A place without measurements says so in its
-// text.
+// text. And the map in words: how many places each layout wins, where the winner changes from one body to a
+// larger one.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
 
@@ -68,5 +70,19 @@ inline constexpr std::size_t most_map_columns = 12;
 
 /// Returns "V-Clip on lean": without the precision, which rarely decides.
 [[nodiscard]] std::string layout_name(const RankedCell& cell);
+
+/// Says how many places were measured, how many have a single winner, and how often each layout wins; empty
+/// if nothing was measured.
+[[nodiscard]] std::string break_even_sentence(const BreakEvenMap& map);
+
+/// Returns a line for each row of the map with two or more sizes of bodies: which cell wins at which sizes.
+[[nodiscard]] std::vector<std::string> break_even_lines(const BreakEvenMap& map);
+
+/// Returns the tie set of the place's scene with notes, or the reason why there is no result.
+[[nodiscard]] std::string cell_text(const MapCell& cell);
+
+/// Returns a row per coherence and number of tables and a column per body, at most `most_columns`, the ones
+/// with most measured cells; places that were not measured have a reason.
+[[nodiscard]] TextGrid break_even_grid(const BreakEvenMap& map, std::size_t most_columns = most_map_columns);
 
 }  // namespace edgewise::reports

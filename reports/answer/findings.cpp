@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/answer/findings.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "edgewise/reports/answer/answer_json.hpp"
-#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -48,9 +47,8 @@ std::string gap_text(const Gap& gap) {
 
 std::vector<std::string> what_to_look_at(const Answer& answer) {
     std::vector<const SceneRanking*> scenes = answer.scenes();
-    std::stable_sort(scenes.begin(), scenes.end(), [](const SceneRanking* a, const SceneRanking* b) {
-        return weight_of(*a) > weight_of(*b);
-    });
+    std::ranges::stable_sort(
+        scenes, [](const SceneRanking* a, const SceneRanking* b) { return weight_of(*a) > weight_of(*b); });
     std::vector<std::string> findings;
     for (const SceneRanking* scene : scenes)
         if (std::string saving = saving_of(*scene); !saving.empty()) findings.push_back(std::move(saving));

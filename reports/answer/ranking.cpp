@@ -4,14 +4,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/answer/scene_words.hpp"
+#include "edgewise/reports/scene_label.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
@@ -65,8 +69,7 @@ void find_ties(SceneRanking& scene) {
     const auto first = std::ranges::find_if(scene.cells, &RankedCell::meets_error);
     for (std::size_t i = 0; i < scene.cells.size(); ++i) {
         const RankedCell& one = scene.cells[i];
-        if (one.meets_error() &&
-            (one.low() <= first->high() || one.ratio <= first->ratio * scene.own_variation.high()))
+        if (one.meets_error() && ties(one.range(), first->range(), scene.own_variation))
             scene.ties.push_back(i);
     }
 }
@@ -100,6 +103,10 @@ std::string algorithm_title(const std::string& algorithm) {
 
 std::string RankedCell::name() const {
     return cell->judged() ? cell->layout : fmt::format("{} on {}", algorithm_title(cell->algorithm), table);
+}
+
+bool ties(const RatioRange& cell, const RatioRange& fastest, const OwnVariation& variation) {
+    return cell.low <= fastest.high || cell.ratio <= fastest.ratio * variation.high();
 }
 
 std::optional<RankedCell> ranked_cell(std::span<const ReportCell* const> runs, double error_limit) {
@@ -140,24 +147,21 @@ std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit
 const RankedCell* SceneRanking::winner() const { return ties.empty() ? nullptr : &cells[ties.front()]; }
 
 const RankedCell* SceneRanking::find(const std::string& algorithm, const std::string& table) const {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
-        return one.cell->algorithm == algorithm && one.table == table;
-    });
+    const auto found = std::ranges::find_if(
+        cells, [&](const RankedCell& one) { return one.cell->algorithm == algorithm && one.table == table; });
     return found == cells.end() ? nullptr : &*found;
 }
 
 const RankedCell* SceneRanking::baseline() const { return find(ratios_to.algorithm, ratios_to.table); }
 
 const RankedCell* SceneRanking::best(const std::string& algorithm) const {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const RankedCell& one) {
-        return one.meets_error() && one.cell->algorithm == algorithm;
-    });
+    const auto found = std::ranges::find_if(
+        cells, [&](const RankedCell& one) { return one.meets_error() && one.cell->algorithm == algorithm; });
     return found == cells.end() ? nullptr : &*found;
 }
 
 const RankedCell* SceneRanking::best_peer() const {
-    const auto within =
-        std::find_if(peers.begin(), peers.end(), [](const RankedCell& one) { return one.meets_error(); });
+    const auto within = std::ranges::find_if(peers, [](const RankedCell& one) { return one.meets_error(); });
     if (within != peers.end()) return &*within;
     return peers.empty() ? nullptr : &peers.front();
 }
@@ -204,6 +208,67 @@ SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_l
     scene.own_tables = has_own_tables(any);
     scene.sentence = scene_sentence(any);
     return scene;
+}
+
+namespace {
+
+constexpr const char* both_algorithms[] = {"vclip", "gjk"};
+
+/// Shape, algorithm and table type.
+using Known = std::set<std::tuple<std::string, std::string, std::string>>;
+
+std::ptrdiff_t types_of(const SceneRanking& scene, const char* algorithm) {
+    return std::ranges::count_if(scene.cells,
+                                 [&](const RankedCell& one) { return one.cell->algorithm == algorithm; });
+}
+
+/// Returns the fast layouts in a scene with the most table types.
+Known fast_ones(const std::vector<SceneRanking>& scenes) {
+    Known fast;
+    for (const char* const algorithm : both_algorithms) {
+        std::map<std::string, std::ptrdiff_t> most;  // by shape
+        for (const SceneRanking& scene : scenes)
+            most[scene.shape] = std::max(most[scene.shape], types_of(scene, algorithm));
+        for (const SceneRanking& scene : scenes) {
+            const RankedCell* best = scene.best(algorithm);
+            if (!best || types_of(scene, algorithm) < most[scene.shape]) continue;
+            for (const RankedCell& one : scene.cells)
+                if (one.cell->algorithm == algorithm && one.ratio <= fast_ratio * best->ratio)
+                    fast.emplace(scene.shape, algorithm, one.table);
+        }
+    }
+    return fast;
+}
+
+bool is_small(const RankedCell& one) {
+    return one.bytes_per_edge && *one.bytes_per_edge <= small_bytes_per_edge;
+}
+
+std::vector<std::string> missing_from(const SceneRanking& scene, const Known& fast) {
+    std::vector<std::string> missing;
+    for (const char* const algorithm : both_algorithms) {
+        bool has_small = false, has_fast = false;
+        for (const RankedCell& one : scene.cells) {
+            if (one.cell->algorithm != algorithm) continue;
+            has_small = has_small || is_small(one);
+            has_fast = has_fast || fast.contains({scene.shape, algorithm, one.table});
+        }
+        const std::string name = algorithm_title(algorithm);
+        if (!has_small) missing.push_back(name + " on a small layout");
+        if (!has_fast) missing.push_back(name + " on a fast layout");
+    }
+    return missing;
+}
+
+}  // namespace
+
+void check_contests(std::vector<SceneRanking>& scenes) {
+    const Known fast = fast_ones(scenes);
+    for (SceneRanking& scene : scenes) scene.not_measured = missing_from(scene, fast);
+}
+
+std::string contest_rule() {
+    return prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", fast_ratio));
 }
 
 }  // namespace edgewise::reports

@@ -19,6 +19,10 @@
 // The fastest cell that is not dropped wins. Another ties with it if its interval reaches the winner's, or if
 // its ratio is larger by no more than the baseline's own variation. The tie set is the winner and all cells
 // that tie with it.
+//
+// A layout wins only against measured layouts: if GJK or every small layout is missing, the winner is the
+// best of too few. V-Clip and GJK must therefore each have been measured on a small and on a fast layout; one
+// layout may be both (check_contests).
 #pragma once
 
 #include <cstdint>
@@ -27,11 +31,21 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/answer/question.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 
 namespace edgewise::reports {
+
+struct Question {
+    double error_limit = 1e-6;  ///< largest allowed error of a distance, over the scale of the pair
+    std::optional<std::string> shape = {};  ///< null: each scene's reference shape
+    std::optional<bool> own_tables = {};    ///< a table for each body, or one for all; null: both
+};
+
+/// A time over the baseline's, with its interval.
+struct RatioRange {
+    double low, ratio, high;
+};
 
 /// An algorithm on a table type in a scene, with the figures by which it is ranked.
 struct RankedCell {
@@ -49,6 +63,7 @@ struct RankedCell {
     [[nodiscard]] bool meets_error() const { return dropped.empty(); }
     [[nodiscard]] double low() const { return interval ? interval->low : ratio; }
     [[nodiscard]] double high() const { return interval ? interval->high : ratio; }
+    [[nodiscard]] RatioRange range() const { return {low(), ratio, high()}; }
     /// "V-Clip on aos_f64"; of another library its name.
     [[nodiscard]] std::string name() const;
 };
@@ -70,6 +85,10 @@ struct OwnVariation {
     [[nodiscard]] bool holds(double ratio) const { return factor && low() <= ratio && ratio <= high(); }
 };
 
+/// Returns true if a cell ties with the fastest one: its interval reaches the fastest one's, or its ratio is
+/// larger by no more than the baseline's own variation.
+[[nodiscard]] bool ties(const RatioRange& cell, const RatioRange& fastest, const OwnVariation& variation);
+
 /// Ratios are to the time of this cell, as the store names it.
 struct Baseline {
     std::string algorithm = "vclip", table = "aos_f64";
@@ -89,7 +108,7 @@ struct SceneRanking {
     std::vector<std::size_t> ties;  ///< the tie set, as indices of `cells`: the winner first
     bool beats_baseline = false;    ///< the winner, by more than its interval and the own variation
     bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
-    /// Cells to be measured before anything is recommended, "GJK on a small layout" (contest.hpp).
+    /// Cells to be measured before anything is recommended, "GJK on a small layout" (check_contests).
     std::vector<std::string> not_measured = {};
 
     [[nodiscard]] bool recommends() const { return not_measured.empty(); }
@@ -115,5 +134,18 @@ enum class Variation {
 /// Ranks cells and peers of one scene and shape, one at least.
 [[nodiscard]] SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_limit,
                                       const Baseline& baseline, Variation variation = Variation::rounds);
+
+/// A layout is small for an algorithm if the table that it builds takes at most this: a quarter of the 168
+/// bytes per edge that the paper counts.
+inline constexpr double small_bytes_per_edge = 42;
+/// It is fast if it takes at most this times as long as the fastest layout of its algorithm: in a scene with
+/// these bodies in which the most table types of that algorithm were measured.
+inline constexpr double fast_ratio = 1.25;
+
+/// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout".
+void check_contests(std::vector<SceneRanking>& scenes);
+
+/// Returns the rule in one sentence.
+[[nodiscard]] std::string contest_rule();
 
 }  // namespace edgewise::reports

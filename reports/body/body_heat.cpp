@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tuple>
 
 #include "edgewise/input/json_text.hpp"
@@ -139,6 +140,133 @@ std::size_t heat_level(double reads, double most) {
     constexpr double range = 100;
     const double part = 1 + std::log(reads / most) / std::log(range);
     return 1 + static_cast<std::size_t>(std::clamp(part, 0.0, 0.999) * (heat_levels - 1));
+}
+
+namespace {
+
+constexpr double body_size = 420, body_margin = 12;
+
+struct BodyPoint {
+    double x = 0, y = 0;
+};
+
+/// Returns the points seen along the negative z axis after both turns; y downwards, as in a picture.
+std::vector<BodyPoint> seen_points(const HeatBody& body) {
+    std::array<double, 3> middle = {};
+    for (const auto& v : body.vertices)
+        for (std::size_t k = 0; k < 3; ++k) middle[k] += v[k] / static_cast<double>(body.vertices.size());
+    double radius = 1e-300;
+    for (const auto& v : body.vertices)
+        radius = std::max(radius, std::hypot(v[0] - middle[0], v[1] - middle[1], v[2] - middle[2]));
+    const double scale = (body_size / 2 - body_margin) / radius;
+    std::vector<BodyPoint> points;
+    for (const auto& v : body.vertices) {
+        const double x = v[0] - middle[0], y = v[1] - middle[1], z = v[2] - middle[2];
+        const double turned_x = std::cos(body_yaw) * x + std::sin(body_yaw) * z,
+                     turned_z = -std::sin(body_yaw) * x + std::cos(body_yaw) * z,
+                     turned_y = std::cos(body_pitch) * y - std::sin(body_pitch) * turned_z;
+        points.push_back({body_size / 2 + scale * turned_x, body_size / 2 - scale * turned_y});
+    }
+    return points;
+}
+
+/// Returns true if a ring runs counter-clockwise in the picture, that is clockwise with y downwards.
+bool faces_us(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoint>& points) {
+    double area = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const BodyPoint &a = points[ring[i]], &b = points[ring[(i + 1) % ring.size()]];
+        area += a.x * b.y - b.x * a.y;
+    }
+    return area < 0;
+}
+
+/// Visible features: faces, and the edges and vertices of their rings.
+struct Sight {
+    std::vector<bool> faces, vertices;
+    std::set<std::array<std::uint32_t, 2>> edges;  ///< the smaller end first
+
+    Sight(const HeatBody& body, const std::vector<BodyPoint>& points) : vertices(body.vertices.size()) {
+        for (const auto& ring : body.faces) {
+            faces.push_back(faces_us(ring, points));
+            if (!faces.back()) continue;
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                vertices[ring[i]] = true;
+                edges.insert(in_order(ring[i], ring[(i + 1) % ring.size()]));
+            }
+        }
+    }
+    static std::array<std::uint32_t, 2> in_order(std::uint32_t a, std::uint32_t b) {
+        return {std::min(a, b), std::max(a, b)};
+    }
+};
+
+/// Returns a path for each level, of one kind of feature; `paths`: one per feature, empty if it is hidden.
+std::string level_paths(const std::vector<std::string>& paths, const FeatureReads& reads, const char* kind) {
+    std::array<std::string, heat_levels> levels;
+    const double most = reads && !reads->empty() ? std::ranges::max(*reads) : 0;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        levels[reads ? heat_level((*reads)[i], most) : 0] += paths[i];
+    std::string svg;
+    for (std::size_t level = 0; level < heat_levels; ++level)
+        svg += fmt::format("<path class=\"{} h{}\" d=\"{}\"/>", kind, reads ? std::to_string(level) : "x",
+                           levels[level]);
+    return svg;
+}
+
+template <class Number>
+nlohmann::ordered_json rounded_list(const std::vector<Number>& numbers) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const double number : numbers) list.push_back(std::stod(fmt::format("{:.5g}", number)));
+    return list;
+}
+
+nlohmann::ordered_json reads_json(const FeatureReads& reads) {
+    return reads ? rounded_list(*reads) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+std::string body_svg(const HeatBody& body, const BodyHeat& heat) {
+    const std::vector<BodyPoint> points = seen_points(body);
+    const Sight sight(body, points);
+    std::vector<std::string> faces, edges, vertices;
+    for (std::size_t i = 0; i < body.faces.size(); ++i) {
+        std::string path;
+        for (const std::uint32_t v : body.faces[i])
+            path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", points[v].x, points[v].y);
+        faces.push_back(sight.faces[i] ? path + "z" : "");
+    }
+    for (const auto& [tail, head] : body.edges)
+        edges.push_back(sight.edges.contains(Sight::in_order(tail, head))
+                            ? fmt::format("M{:.0f} {:.0f}L{:.0f} {:.0f}", points[tail].x, points[tail].y,
+                                          points[head].x, points[head].y)
+                            : "");
+    for (std::size_t i = 0; i < points.size(); ++i)
+        vertices.push_back(sight.vertices[i] ? fmt::format("M{:.0f} {:.0f}h0", points[i].x, points[i].y)
+                                             : "");
+    return fmt::format(
+        "<svg id=\"body-picture\" class=\"body\" viewBox=\"0 0 {0} {0}\" role=\"img\" aria-label=\"{1}\">{2}{3}{4}"
+        "</svg>",
+        body_size, html_text(heat.title() + ": " + heat.sentence()), level_paths(faces, heat.faces, "face"),
+        level_paths(edges, heat.edges, "edge"), level_paths(vertices, heat.vertices, "vertex"));
+}
+
+std::string bodies_data(const HeatOnBodies& heat) {
+    nlohmann::ordered_json bodies = nlohmann::ordered_json::object(), heats = nlohmann::ordered_json::array();
+    for (const auto& [shape, body] : heat.bodies) {
+        nlohmann::ordered_json vertices = nlohmann::ordered_json::array();
+        for (const auto& vertex : body.vertices)
+            vertices.push_back(rounded_list(std::vector<double>(vertex.begin(), vertex.end())));
+        bodies[shape] = {{"vertices", vertices}, {"edges", body.edges}, {"faces", body.faces}};
+    }
+    for (const BodyHeat& one : heat.heats)
+        heats.push_back({{"title", one.title()},
+                         {"said", one.sentence()},
+                         {"shape", one.cell->shape},
+                         {"vertices", reads_json(one.vertices)},
+                         {"edges", reads_json(one.edges)},
+                         {"faces", reads_json(one.faces)}});
+    return input::json_text(nlohmann::ordered_json{{"bodies", bodies}, {"heats", heats}});
 }
 
 }  // namespace edgewise::reports

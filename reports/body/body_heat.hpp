@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Heat on the body itself: how often a cell's scene reads each vertex, edge and face of its body, as the
-// sweep keeps it in the store.
+// How often a cell's scene reads each vertex, edge and face of its body, as the sweep keeps it in the store;
+// and the body seen from one side with its features coloured by that. The script of the page draws the same
+// paths again when the body is turned.
 #pragma once
 
 #include <array>
@@ -48,5 +49,14 @@ inline constexpr std::size_t most_heats = 24;
 /// Number of levels, from 0, never read, to 5; logarithmic up to the hottest feature of its kind.
 inline constexpr std::size_t heat_levels = 6;
 [[nodiscard]] std::size_t heat_level(double reads, double most);
+
+/// Angles of the first view, in radians: about the vertical axis, then about the horizontal one.
+inline constexpr double body_yaw = 0.6, body_pitch = 0.4;
+
+[[nodiscard]] std::string body_svg(const HeatBody& body, const BodyHeat& heat);
+
+/// Returns the bodies and their heats as JSON for the script: {"bodies": {shape: {"vertices", "edges",
+/// "faces"}}, "heats": [{"title", "said", "shape", "vertices", "edges", "faces"}]}.
+[[nodiscard]] std::string bodies_data(const HeatOnBodies& heat);
 
 }  // namespace edgewise::reports

@@ -3,11 +3,14 @@
 // Speed against error: what accuracy a nanosecond buys, a panel for each scene with the shape chosen, with
 // the front of time and the error chosen as a step line. The axis of errors is the same whatever is chosen,
 // so that choices can be compared.
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/charts/error_axis.hpp"
@@ -17,6 +20,32 @@
 #include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
+
+ErrorAxis::ErrorAxis(std::vector<double> errors) : errors_(std::move(errors)) {
+    assert(!errors_.empty());
+    std::ranges::sort(errors_);
+    const auto positive = std::upper_bound(errors_.begin(), errors_.end(), 0.0);
+    const double least = positive == errors_.end() ? 1e-15 : std::min(1e-15, *positive);
+    while (floor_ > least / 10 && floor_ > 1e-300) floor_ /= 10;
+}
+
+ChartJson ErrorAxis::ticks() const {
+    ChartJson places = ChartJson::array();
+    if (has_zeros()) places.push_back(floor_);
+    const double first = has_zeros() ? 10 * floor_ : errors_.front();
+    for (int power = -300; power <= 300; power += 2) {
+        // Read from text: a product of tens would miss the decimal value by a rounding.
+        const double place = std::stod(fmt::format("1e{}", power));
+        if (place >= first && place <= errors_.back()) places.push_back(place);
+    }
+    return places;
+}
+
+ChartJson ErrorAxis::domain() const { return {place(errors_.front()), place(errors_.back())}; }
+
+std::string ErrorAxis::tick_label() const {
+    return fmt::format("datum.value < {:g} ? 'exactly 0' : format(datum.value, '.0e')", floor_ * 2);
+}
 
 namespace {
 
@@ -99,9 +128,10 @@ void note_places(const ChartJson& values, std::vector<std::string>& notes) {
             if (count > 0)
                 notes.push_back(fmt::format("{} of {} points have {}", count, values.size(), text));
         };
-        note(zeros, fmt::format("a {} error of exactly 0: they stand on the dotted line at the left edge, "
-                                "whose place on the axis means nothing.",
-                                kind.title));
+        note(zeros,
+             fmt::format("a {} error of exactly 0: they are drawn on the dotted line at the left edge, "
+                         "whose place on the axis means nothing.",
+                         kind.title));
         note(missing, fmt::format("no {} error: they are not drawn with it.", kind.title));
     }
 }

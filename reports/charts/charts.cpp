@@ -50,7 +50,7 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
 std::vector<std::string> shapes_by_size(const ReportData& data) {
     std::vector<std::string> names;
     for (const auto& [vertices, name] : shapes_by_vertices(data))
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     return names;
 }
 

@@ -29,7 +29,7 @@ struct Chart {
     std::string section = {};               ///< of the chapter that shows it
     ChartJson file = {};                    ///< what its file says (spec_file.hpp)
     ChartJson points = ChartJson::array();  ///< the rows that it draws
-    int figure = 0;  ///< of the paper: then it comes as PDF and CSV too (page/paper_figures.hpp)
+    bool is_cited = false;                  ///< comes as PDF and CSV too (write_cited_figures)
 };
 
 /// Its specification as JSON; what is no UTF-8 in a name is replaced.
@@ -59,7 +59,7 @@ class Omissions {
   private:
     std::vector<std::pair<std::string, std::size_t>> counts_;
 };
-/// A chart's data while they are collected, and what is not among them.
+/// A chart's data while they are collected, and the reasons for values that are missing.
 struct ChartRows {
     ChartJson values = ChartJson::array();
     Omissions omitted = {};
@@ -72,7 +72,7 @@ struct ChartRows {
 /// Fills its specification: `slots`, the rows as $values, and the orders and colours of what the data holds.
 void draw(Chart& chart, const ReportData& data, const ChartJson& values,
           const ChartJson& slots = ChartJson::object());
-/// Both: the chart with these rows, if there are any.
+/// Returns the chart with these rows drawn, if there are any.
 [[nodiscard]] Chart drawn_chart(Chart chart, const ReportData& data, ChartRows rows,
                                 const ChartJson& slots = ChartJson::object(),
                                 const std::string& noun = "cell");
@@ -105,14 +105,14 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes);
 // the layout's parameter, since a composite error bar in its place would swallow legend clicks without a
 // word.
 
-/// What names a cell among curves: cell_json, and `variant`, `point`, `stroke`. A row that sets `unjoined`
-/// is a point that no line goes through; one that sets `larger` is a larger one.
+/// Returns the members that name a cell among curves: those of cell_json, and `variant`, `point`, `stroke`. A
+/// row that sets `unjoined` is a point that no line goes through; one that sets `larger` is a larger one.
 [[nodiscard]] ChartJson curve_json(const ReportCell& cell);
 /// A row with the time of all pairs and its interval in `ns`, `low`, `high`; null, and counted, when it was
 /// not measured.
 [[nodiscard]] ChartJson timed_row(const ReportCell& cell, Omissions& omitted);
 
-/// Adds a timed row with the members of `place` for each cell; cells whose `place` is null are left out.
+/// Adds a timed row with the members of `place` for each cell; a cell is left out if its `place` is null.
 template <class Place>
 void add_timed_rows(ChartRows& rows, const std::vector<const ReportCell*>& cells, const Place& place) {
     for (const ReportCell* cell : cells) {

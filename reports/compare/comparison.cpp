@@ -77,7 +77,7 @@ measure::FigureRecord record_of(const ReportData& data, double slack) {
     return record;
 }
 
-/// The baseline's own cells are timed beside the baseline: what they differ by is noise.
+/// The baseline's own cells are timed in the same rounds as the baseline, so their difference is noise.
 void widen_noise(const ReportData& data, StoreComparison& comparison) {
     const Baseline baseline = baseline_of(data);
     for (const ReportCell* cell : data.swept()) {

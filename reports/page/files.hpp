@@ -11,8 +11,8 @@
 
 namespace edgewise::reports {
 
-/// A name for a file: the letters, digits, '_' and '-' of `name`, other bytes as '_'; of a long one the
-/// beginning and a hash.
+/// Returns a name for a file: the letters, digits, '_' and '-' of `name`, other bytes as '_'; a long name
+/// becomes its beginning and a hash.
 [[nodiscard]] std::string file_name_of(std::string name);
 /// Returns a file name that is not yet in the set, changed if another name has it already.
 [[nodiscard]] std::string file_name_of(const std::string& name, const std::set<std::string>& taken);

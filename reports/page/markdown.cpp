@@ -8,12 +8,10 @@
 
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/answer/break_even_text.hpp"
-#include "edgewise/reports/answer/findings.hpp"
-#include "edgewise/reports/page/first_screen/answer_rows.hpp"
+#include "edgewise/reports/answer/break_even_map.hpp"
+#include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/page.hpp"
-#include "edgewise/reports/pictures/marks.hpp"
-#include "edgewise/reports/pictures/time_bytes.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -48,7 +46,7 @@ std::string bytes_markdown(const ReportData& data, const Answer& answer) {
                  columns_of("algorithm|table type|#total|#paper's subtotal (slope)|#table, bytes"),
                  {}};
     const std::size_t total = all.columns.size() - 4;
-    std::stable_sort(all.rows.begin(), all.rows.end(), [&](const auto& a, const auto& b) {
+    std::ranges::stable_sort(all.rows, [&](const auto& a, const auto& b) {
         return a[total].why.empty() && b[total].why.empty() &&
                std::stod(a[total].text) < std::stod(b[total].text);
     });

@@ -12,16 +12,14 @@
 #include <set>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/body/body_picture.hpp"
-#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/body/body_heat.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/chapters/glossary.hpp"
-#include "edgewise/reports/page/first_screen/filter_bar.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/packing.hpp"
-#include "edgewise/reports/page/page_data.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
@@ -128,6 +126,26 @@ std::string contents(const std::vector<Chapter>& chapters) {
         out += fmt::format("<a href=\"#{}\">{}</a>", chapter.id,
                            html_text(chapter.link.empty() ? chapter.title : chapter.link));
     return out + "<a href=\"#cells\">All cells</a></nav>\n";
+}
+
+/// The bar over the chapters, by which their charts and tables show one scene, body, algorithm or precision.
+/// Hidden until the scripts run.
+std::string filter_bar_html(const ReportData& data) {
+    const std::string all = html_option("", "all", true);
+    std::string scenes = all, shapes = all, algorithms = all, precisions = all;
+    std::set<std::string> of_algorithms, of_precisions;
+    for (const ReportCell* cell : data.swept())
+        of_algorithms.insert(cell->algorithm), of_precisions.insert(cell->precision);
+    for (const std::string& label : scene_labels(data)) scenes += html_option(label, label);
+    for (const auto& [vertices, shape] : shapes_by_vertices(data))
+        shapes += html_option(shape, fmt::format("{} ({})", vertices, shape));
+    for (const std::string& name : of_algorithms) algorithms += html_option(name, algorithm_title(name));
+    for (const std::string& name : of_precisions) precisions += html_option(name, name);
+    return fmt::format(fmt::runtime(report_text("page.filter.html")),
+                       fmt::arg("scene", html_select("filter-scene", "scene", scenes)),
+                       fmt::arg("shape", html_select("filter-shape", "vertices", shapes)),
+                       fmt::arg("algorithm", html_select("filter-algorithm", "algorithm", algorithms)),
+                       fmt::arg("precision", html_select("filter-precision", "precision", precisions)));
 }
 
 std::string cells_html(const ReportData& data) {

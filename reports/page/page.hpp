@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as one self-contained HTML file, complete in its statements without scripts, alive with them, no
-// network either way; and as Markdown of a length that a person pastes somewhere.
+// The report as one self-contained HTML file, complete in its statements without scripts, interactive with
+// them, no network either way; and as Markdown of a length that a person pastes somewhere. What the scripts
+// work on is JSON, column by column, which packs well: every cell and row of the store with every figure, the
+// rows of long tables, and the specifications of the charts. A number is written with seven significant
+// digits; a number that was not measured is the place of its reason, as text.
 #pragma once
 
 #include <string>
@@ -11,6 +14,7 @@
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/pictures.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
 
@@ -24,5 +28,17 @@ namespace edgewise::reports {
                                           const StaticPictures& pictures, const std::string& changes = {});
 /// Returns a chapter with the first rows of its tables.
 [[nodiscard]] std::string chapter_markdown(const Chapter& chapter);
+
+/// {"cells": {column: [...]}, "figures": [{"name", "unit", "values": [...]}], "reasons": [...]}: rows as in
+/// every_cell; with "at" the places of the rows that have the figure, the others have none. A value is a
+/// number, or the place of its reason and remedy as text, or null where the cell has no such figure.
+[[nodiscard]] std::string cells_data(const ReportData& data);
+
+/// [{"caption", "columns": [[title, is a number]], "cells": [[...] for each column]}]; a cell is its text, or
+/// [text, reason].
+[[nodiscard]] std::string grids_data(const std::vector<TextGrid>& grids);
+
+/// {name: specification}; rows of its data as {"columns": {field: [...]}, "rows": n}.
+[[nodiscard]] std::string charts_data(const std::vector<Chart>& charts);
 
 }  // namespace edgewise::reports

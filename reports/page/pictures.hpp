@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Static pictures of the charts: each specification becomes figures/NAME.svg by node, with the same bundles
-// that the page uses. Optional: without node or bundles the page shows small tables instead, and says so.
+// that the page uses. Optional: without node or bundles the page shows small tables instead, and says so. And
+// the files for citing a figure: its picture as PDF next to the SVG, its points as CSV, and a text with the
+// commands that made it.
 #pragma once
 
 #include <filesystem>
@@ -28,5 +30,14 @@ inline constexpr std::size_t most_still_bytes = 20000;
                                             const std::set<std::string>& tables,
                                             const std::filesystem::path& out,
                                             const std::filesystem::path& bundles);
+
+/// Writes figures/NAME.csv, NAME.txt and, where there is an SVG and rsvg-convert can, NAME.pdf below `out`;
+/// old ones are removed. The same store gives the same bytes. Returns why a PDF is missing, in one line;
+/// empty where none is.
+std::string write_cited_figures(const ReportData& data, const std::vector<Chart>& charts,
+                                const StaticPictures& pictures, const std::filesystem::path& out);
+
+/// Returns the points of a chart as CSV: a row each, and a column for every member that a point has.
+[[nodiscard]] std::string points_csv(const ChartJson& points);
 
 }  // namespace edgewise::reports

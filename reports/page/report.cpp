@@ -10,13 +10,13 @@
 #include <stdexcept>
 
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/page/bundles.hpp"
-#include "edgewise/reports/page/chapters/compare_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/files.hpp"
+#include "edgewise/reports/page/packing.hpp"
 #include "edgewise/reports/page/page.hpp"
-#include "edgewise/reports/page/paper_figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 #include "edgewise/reports/pictures/break_even_picture.hpp"
-#include "edgewise/reports/pictures/time_bytes.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/results/wide_results.hpp"
 
 namespace edgewise::reports {
@@ -95,7 +95,7 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     const std::string bundles = bundle_elements(bundle_directory);
     begin("pictures");
     const StaticPictures pictures = write_pictures(charts, few_tables(answer), out, bundle_directory);
-    const std::string no_pdf = write_paper_figures(data, charts, pictures, out);
+    const std::string no_pdf = write_cited_figures(data, charts, pictures, out);
     begin("results");
     write_results(data, out);
     write_picture("answer", answer_picture(answer), out);

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 24> plain_attributes = {
 
 template <class Names>
 bool is_among(const Names& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == ':'; }
@@ -41,8 +41,7 @@ bool is_dropped(std::string_view attribute) {
     constexpr std::array<std::string_view, 7> dropped = {
         "aria-",    "role=\"",        "xmlns:xlink=\"",   "stroke-miterlimit=\"",
         "class=\"", "font-family=\"", "pointer-events=\""};
-    return std::any_of(dropped.begin(), dropped.end(),
-                       [&](std::string_view name) { return attribute.starts_with(name); });
+    return std::ranges::any_of(dropped, [&](std::string_view name) { return attribute.starts_with(name); });
 }
 
 class SvgScanner {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/answer/break_even_text.hpp"
-#include "edgewise/reports/pictures/marks.hpp"
+#include "edgewise/reports/answer/break_even_map.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/palette.hpp"
 

@@ -42,13 +42,10 @@ CsvRow& CsvRow::number(std::optional<double> value) {
     return *this;
 }
 
-CsvRow& CsvRow::count(std::int64_t value) {
-    add(std::to_string(value));
-    return *this;
-}
-
-CsvRow& CsvRow::seed(std::uint64_t value) {
-    add(std::to_string(value));
+CsvRow& CsvRow::field(const nlohmann::ordered_json& value) {
+    if (value.is_string()) return text(value.get_ref<const std::string&>());
+    if (value.is_number_float()) return number(value.get<double>());
+    add(value.is_null() ? "" : value.dump());
     return *this;
 }
 

@@ -6,7 +6,7 @@
 // Numbers are never touched: they are the shortest text that reads back as the same double.
 #pragma once
 
-#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,8 +18,8 @@ class CsvRow {
     CsvRow& text(std::string_view field);
     /// Null: an empty field.
     CsvRow& number(std::optional<double> value);
-    CsvRow& count(std::int64_t value);
-    CsvRow& seed(std::uint64_t value);
+    /// A text or a number as above, whole numbers with all their digits; null: an empty field.
+    CsvRow& field(const nlohmann::ordered_json& value);
 
     /// With its end, CR and LF.
     [[nodiscard]] std::string line() const { return fields_ + "\r\n"; }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/results/cell_identity.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
@@ -27,7 +26,7 @@ struct Chosen {
 };
 
 bool names_one(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 std::string joined(const std::set<std::string>& names) {
@@ -62,7 +61,7 @@ bool is_chosen(const ReportCell& cell, const ExportChoice& choice) {
            names_one(choice.layouts, cell.table);
 }
 
-/// Whether some pattern matches; those that do are taken off the list of patterns without a match.
+/// Returns true if a pattern matches; removes each matching pattern from `unmatched`.
 bool is_chosen(const std::string& key, const ExportChoice& choice, std::set<std::string>& unmatched) {
     if (choice.figures.empty()) return main_place(key).has_value();
     bool chosen = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a user asks of a store, in long form: one row per cell and figure, breakdowns included.
+// Figures of a store that a user chooses, in long form: one row per cell and figure, breakdowns included.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace edgewise::reports {
 enum class ExportFormat { csv, json };
 
 struct ExportChoice {
-    /// Of PROBE.NAME, with * and ? as in a shell (fnmatch); none: the main figures.
+    /// Patterns for PROBE.NAME, with * and ? as in a shell (fnmatch); none: the main figures.
     std::vector<std::string> figures = {};
     std::vector<std::string> scenes = {};   ///< by name; none: all
     std::vector<std::string> layouts = {};  ///< layouts or table types; none: all

@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Families whose members are main figures.
+/// Families of which every member is a main figure.
 constexpr std::string_view main_families[] = {"caches.{machine}.{level}.misses_per_query",
                                               "caches.{machine}.modelled_memory_ns",
                                               "effort.{machine}.d1_misses", "effort.{machine}.ll_misses"};
@@ -77,6 +77,36 @@ std::vector<const ReportCell*> every_cell(const ReportData& data) {
                               &data.fields, &data.other_studies, &data.peers})
         for (const ReportCell& cell : *cells) all.push_back(&cell);
     return all;
+}
+
+void add_identity_header(CsvRow& row) {
+    const nlohmann::ordered_json columns = identity_json({}, {});
+    for (const auto& column : columns.items()) row.text(column.key());
+}
+
+void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell) {
+    for (const nlohmann::ordered_json& value : identity_json(data, cell)) row.field(value);
+}
+
+nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell) {
+    return {{"build", data.build.id},
+            {"hash", cell.hash},
+            {"run", to_string(cell.run)},
+            {"scene", cell.scene},
+            {"scene_parameters", cell.scene_parameters},
+            {"shape", cell.shape},
+            {"shape_source", cell.shape_source},
+            {"algorithm", cell.algorithm},
+            {"layout", cell.layout},
+            {"precision", cell.precision},
+            {"table_type", cell.table},
+            {"vertices", cell.vertices},
+            {"edges", cell.edges},
+            {"faces", cell.faces},
+            {"seed", cell.seed},
+            {"queries", cell.queries},
+            {"status", to_string(cell.status)},
+            {"status_reason", cell.reason}};
 }
 
 }  // namespace edgewise::reports

@@ -2,15 +2,18 @@
 //
 // Which figures are a cell's main ones: those of the vocabulary that are one figure, not a family with one
 // for each structure, field, step or size; and of families over machines, misses and the time of memory.
-// Breakdowns stay in the store; `edgewise export` writes them.
+// Breakdowns stay in the store; `edgewise export` writes them. And the columns that name a cell in files of
+// results.
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/results/csv_row.hpp"
 
 namespace edgewise::reports {
 
@@ -19,13 +22,20 @@ namespace edgewise::reports {
     return figure.probe + "." + figure.name;
 }
 
-/// Its place in the vocabulary, by which columns are ordered; null: it is a breakdown.
+/// Returns the place of a figure in the vocabulary, by which columns are ordered; null for a breakdown.
 [[nodiscard]] std::optional<std::size_t> main_place(const std::string& key);
 
-/// What the vocabulary says of a main figure; null: it is none.
+/// Returns the entry of a main figure in the vocabulary; null if the figure is not a main one.
 [[nodiscard]] const store::FigureInfo* main_info(const std::string& key);
 
 /// All cells of a store, whatever run they are of, in the order of the report.
 [[nodiscard]] std::vector<const ReportCell*> every_cell(const ReportData& data);
+
+/// Adds the names of the columns that name a cell.
+void add_identity_header(CsvRow& row);
+/// Adds the values of these columns for a cell.
+void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell);
+/// Returns the columns that name a cell as members of an object, in their order.
+[[nodiscard]] nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell);
 
 }  // namespace edgewise::reports

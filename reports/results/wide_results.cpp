@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "edgewise/reports/page/files.hpp"
-#include "edgewise/reports/results/cell_identity.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
@@ -120,7 +119,7 @@ std::string missing_text(const About& about) {
         CsvRow().text("file").text("figure").text("cells").text("reason").text("remedy").line();
     for (const auto& [what, cells] : about.missing) {
         const auto& [file, figure, reason, remedy] = what;
-        text += CsvRow().text(file).text(figure).count(cells).text(reason).text(remedy).line();
+        text += CsvRow().text(file).text(figure).field(cells).text(reason).text(remedy).line();
     }
     return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The results as files that a reader can open: one per scene, one row per cell, its main figures as columns.
-// What a column is, and why a field is empty, is said once beside them. Breakdowns stay in the store.
+// Files in the folder about/ say what a column is and why a field is empty. Breakdowns stay in the store.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace edgewise::reports {
 
-/// By name of file, relative to the folder of results:
+/// Returns the text of each file by its name, relative to the folder of results:
 /// SCENE.csv: a row per cell of that scene, stability, paging and effort rows likewise; columns that name the
 /// cell, then every main figure that one of the rows has, as PROBE.NAME; empty where it was not measured.
 /// about/columns.csv: figure, unit, population, repeats, meaning.

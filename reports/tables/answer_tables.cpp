@@ -116,8 +116,7 @@ TextGrid stability_summary_grid(const ReportData& data) {
     Rows all;
     for (const ReportCell& row : data.stability) all.push_back(&row);
     add_summary(grid, all, stability_columns, [](const Rows& rows) {
-        const auto failed =
-            std::count_if(rows.begin(), rows.end(), [](const ReportCell* row) { return row->failed(); });
+        const auto failed = std::ranges::count_if(rows, [](const ReportCell* row) { return row->failed(); });
         return std::array{rows.size(), static_cast<std::size_t>(failed)};
     });
     return grid;

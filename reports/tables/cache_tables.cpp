@@ -38,13 +38,13 @@ double sort_key(const ReportCell& cell) {
     return lines.value.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// A row for each cell whose caches were modelled.
+/// Returns a row for each cell with modelled caches.
 template <class FigureColumns>
 TextGrid cache_grid(const ReportData& data, const std::string& caption, const FigureColumns& columns) {
     return cell_grid(caption, cell_names, columns, modelled_cells(data));
 }
 
-/// Misses this close are no order.
+/// Misses that differ by less than this part are not ranked.
 constexpr double tie = 0.01;
 
 struct Ranked {
@@ -99,7 +99,7 @@ std::vector<PolicyLevel> policy_levels(const ReportCell& cell) {
 std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
     std::vector<const ReportCell*> cells = verified_cells(data);
     std::erase_if(cells, [](const ReportCell* cell) { return !cell->figure("reuse.line_knee_bytes").value; });
-    std::stable_sort(cells.begin(), cells.end(), [](const ReportCell* a, const ReportCell* b) {
+    std::ranges::stable_sort(cells, [](const ReportCell* a, const ReportCell* b) {
         return std::make_tuple(a->scene_label, a->vertices, b->algorithm, sort_key(*a)) <
                std::make_tuple(b->scene_label, b->vertices, a->algorithm, sort_key(*b));
     });

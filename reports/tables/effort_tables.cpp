@@ -26,14 +26,14 @@ std::vector<const ReportCell*> in_order(const ReportData& data) {
     std::vector<const ReportCell*> rows;
     for (const ReportCell& row : data.effort)
         if (row.is_timed()) rows.push_back(&row);
-    std::stable_sort(rows.begin(), rows.end(), [](const ReportCell* a, const ReportCell* b) {
+    std::ranges::stable_sort(rows, [](const ReportCell* a, const ReportCell* b) {
         return std::tuple(a->scene_label, a->vertices, a->shape, instructions(*a)) <
                std::tuple(b->scene_label, b->vertices, b->shape, instructions(*b));
     });
     return rows;
 }
 
-/// Of the machines whose caches were simulated, by name.
+/// Names of the machines with simulated caches, in order.
 std::vector<std::string> machines_of(const ReportData& data) {
     constexpr store::FigureName misses("effort.{machine}.d1_misses");
     std::vector<std::string> machines;
@@ -42,7 +42,7 @@ std::vector<std::string> machines_of(const ReportData& data) {
             if (auto machine = misses.value_in(figure.probe, figure.name))
                 machines.push_back(std::move(*machine));
     }
-    std::sort(machines.begin(), machines.end());
+    std::ranges::sort(machines);
     machines.erase(std::unique(machines.begin(), machines.end()), machines.end());
     return machines;
 }

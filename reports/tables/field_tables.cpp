@@ -15,8 +15,8 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr store::FigureName number("fields.number.{field}"), lines("fields.lines.{whose}"),
-    ratio("fields.time_ratio.{whose}"), ratio_low("fields.time_ratio_low.{whose}"),
+constexpr store::FigureName field_number("fields.number.{field}"), field_lines("fields.lines.{whose}"),
+    field_ratio("fields.time_ratio.{whose}"), ratio_low("fields.time_ratio_low.{whose}"),
     ratio_high("fields.time_ratio_high.{whose}"), lines_held("fields.lines_held"),
     time_held("fields.time_held");
 
@@ -24,9 +24,9 @@ constexpr store::FigureName number("fields.number.{field}"), lines("fields.lines
 std::vector<std::string> fields_of(const ReportCell& row) {
     std::vector<std::pair<double, std::string>> found;
     for (const store::FigureRow& figure : row.figures)
-        if (auto field = number.value_in(figure.probe, figure.name); field && figure.value)
+        if (auto field = field_number.value_in(figure.probe, figure.name); field && figure.value)
             found.emplace_back(*figure.value, std::move(*field));
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     std::vector<std::string> fields;
     for (auto& [place, field] : found) fields.push_back(std::move(field));
     return fields;
@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> levels_of(const ReportData& dat
 }
 
 GridCell time_cell(const ReportCell& row, const char* whose) {
-    return interval_cell(row.figure(ratio.of(whose)), row.figure(ratio_low.of(whose)),
+    return interval_cell(row.figure(field_ratio.of(whose)), row.figure(ratio_low.of(whose)),
                          row.figure(ratio_high.of(whose)), 3);
 }
 
@@ -82,11 +82,12 @@ TextGrid field_advice_grid(const ReportData& data) {
     }
     for (const ReportCell* row : verified_rows(data)) {
         auto cells = grid_row(
-            row->scene_label, row->shape, row->algorithm, row->table, row->figure(lines.of("original")),
-            row->figure(lines.of("predicted")), row->figure(lines.of("advised")),
+            row->scene_label, row->shape, row->algorithm, row->table, row->figure(field_lines.of("original")),
+            row->figure(field_lines.of("predicted")), row->figure(field_lines.of("advised")),
             lines_verdict_cell(row->figure(lines_held)), row->figure(unseen.of("original")),
             row->figure(unseen.of("advised")), time_cell(*row, "advised"), time_cell(*row, "control"),
-            verdict_cell(row->figure(time_held)), row->figure(lines.of("beside")), time_cell(*row, "beside"));
+            verdict_cell(row->figure(time_held)), row->figure(field_lines.of("beside")),
+            time_cell(*row, "beside"));
         for (const auto& [machine, level] : levels)
             for (const char* whose : {"original", "advised"})
                 cells.push_back(figure_cell(row->figure(misses.of(machine, level, whose))));

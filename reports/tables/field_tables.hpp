@@ -14,9 +14,9 @@ namespace edgewise::reports {
 
 /// One row per table and algorithm: lines before, predicted and counted, misses, times, verdicts.
 [[nodiscard]] TextGrid field_advice_grid(const ReportData& data);
-/// The advised records of one row, beside those that the table has.
+/// The advised records of one row, next to the records of the table.
 [[nodiscard]] TextGrid field_groups_grid(const ReportCell& row);
-/// Of all rows in one sentence: how often advice held in lines, and in time.
+/// Says in one sentence how often advice held in lines and in time, over all rows.
 [[nodiscard]] std::string field_verdict(const ReportData& data);
 
 /// The matrix of one row, as an SVG (charts/co_access_picture.hpp).

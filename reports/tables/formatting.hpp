@@ -14,7 +14,7 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 
 /// At most three or four significant digits, by unit: "168", "12.4", "3.1e-16", "0" only for exactly 0.
 [[nodiscard]] std::string number_text(double value, const std::string& unit = {});
-/// Each of these characters becomes its text.
+/// Returns the text with each of the given characters replaced.
 [[nodiscard]] std::string replaced(const std::string& text, const std::map<char, const char*>& by);
 [[nodiscard]] std::string html_text(const std::string& text);      ///< escapes & < > " '
 [[nodiscard]] std::string markdown_text(const std::string& text);  ///< one line; escapes | and <
@@ -23,8 +23,8 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 void append(std::string& list, const std::string& part, const char* separator = ", ");
 /// Columns that UTF-8 takes on a terminal.
 [[nodiscard]] std::size_t shown_width(const std::string& text);
-/// Text in lines of at most `width` characters, broken at blanks; before every line but the first stand
-/// `indent` blanks more. A word that is longer stays whole.
+/// Text in lines of at most `width` characters, broken at blanks; every line except the first begins
+/// with `indent` more blanks. A word that is longer stays whole.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t width = widest_line,
                                   std::size_t indent = 0);
 /// "1 cell", "2 cells"; `many`: a plural that is not made with s.

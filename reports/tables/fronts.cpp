@@ -2,13 +2,34 @@
 #include "edgewise/reports/tables/fronts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
-#include "edgewise/reports/tables/pareto_front.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
+
+std::vector<bool> pareto_front(std::span<const SpeedError> points) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!std::isnan(points[i].ns) && !std::isnan(points[i].error)) order.push_back(i);
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        return std::tie(points[a].error, points[a].ns) < std::tie(points[b].error, points[b].ns);
+    });
+    std::vector<bool> on_front(points.size());
+    std::optional<SpeedError> last;
+    for (const std::size_t i : order) {
+        const SpeedError& point = points[i];
+        const bool equal = last && point.ns == last->ns && point.error == last->error;
+        if (last && !equal && point.ns >= last->ns) continue;
+        on_front[i] = true;
+        last = point;
+    }
+    return on_front;
+}
 
 namespace {
 
@@ -17,7 +38,8 @@ bool asks_another_question(const ReportCell& cell) {
     return cell.axis("needs") || cell.axis("contact_tolerance");
 }
 
-/// Why a timed cell has no place beside the others; empty: it has one, and `point` is it.
+/// Returns why a timed cell has no place among the points; if it has one, sets `point` and returns an empty
+/// text.
 std::string read_point(const ReportCell& cell, FrontPoint& point) {
     if (cell.is_raw()) return "raw V-Clip is judged, and not for its speed";
     if (asks_another_question(cell)) return "its axis asks another question";
@@ -27,8 +49,7 @@ std::string read_point(const ReportCell& cell, FrontPoint& point) {
     point = {&cell, *time.value, {}, {}};
     for (std::size_t kind = 0; kind < error_kind_count; ++kind)
         point.errors[kind] = cell.figure(error_kinds[kind].figure).value;
-    if (std::any_of(point.errors.begin(), point.errors.end(), [](const auto& error) { return bool(error); }))
-        return {};
+    if (std::ranges::any_of(point.errors, [](const auto& error) { return bool(error); })) return {};
     return "error: " + cell.figure("error.worst_error_given").reason;
 }
 
@@ -45,20 +66,18 @@ void find_front(std::vector<FrontPoint>& points, std::size_t kind) {
 }
 
 void finish(FrontPanel& panel) {
-    std::stable_sort(panel.points.begin(), panel.points.end(),
-                     [](const FrontPoint& a, const FrontPoint& b) { return a.ns < b.ns; });
+    std::ranges::stable_sort(panel.points, {}, &FrontPoint::ns);
     for (std::size_t kind = 0; kind < error_kind_count; ++kind) find_front(panel.points, kind);
 }
 
 }  // namespace
 
 bool FrontPoint::on_any_front() const {
-    return std::any_of(on_front.begin(), on_front.end(), [](bool on) { return on; });
+    return std::ranges::any_of(on_front, [](bool on) { return on; });
 }
 
 bool FrontPanel::has_peers() const {
-    return std::any_of(points.begin(), points.end(),
-                       [](const FrontPoint& point) { return point.cell->judged(); });
+    return std::ranges::any_of(points, [](const FrontPoint& point) { return point.cell->judged(); });
 }
 
 std::string gap_tolerance_of(const ReportCell& cell) { return cell.axis("gap_tolerance").value_or(""); }
@@ -76,7 +95,7 @@ Fronts fronts_of(const ReportData& data) {
                 fronts.left_out.emplace_back(&cell, std::move(why));
                 continue;
             }
-            const auto scene = std::find(scenes.begin(), scenes.end(), cell.scene_label) - scenes.begin();
+            const auto scene = std::ranges::find(scenes, cell.scene_label) - scenes.begin();
             FrontPanel& panel = panels[{scene, cell.vertices, cell.shape}];
             panel.scene_label = cell.scene_label, panel.shape = cell.shape, panel.vertices = cell.vertices;
             panel.points.push_back(point);
@@ -87,6 +106,59 @@ Fronts fronts_of(const ReportData& data) {
         fronts.panels.push_back(std::move(panel));
     }
     return fronts;
+}
+
+namespace {
+
+const std::string& front_name(const ReportCell& cell) { return cell.judged() ? cell.layout : cell.algorithm; }
+
+const std::string& front_table(const ReportCell& cell) { return cell.judged() ? cell.precision : cell.table; }
+
+/// Errors with which the point is on the front: "p50, worst".
+std::string fronts_it_is_on(const FrontPoint& point) {
+    std::string list;
+    for (std::size_t kind = 0; kind < error_kind_count; ++kind)
+        if (point.on_front[kind]) append(list, std::string(error_kinds[kind].title));
+    return list;
+}
+
+std::vector<GridCell> front_row(const FrontPanel& panel, const FrontPoint& point) {
+    const ReportCell& cell = *point.cell;
+    std::vector<GridCell> row = grid_row(panel.scene_label, panel.shape, panel.vertices, front_name(cell),
+                                         front_table(cell), cell.figure(store::separated_time.ns));
+    for (const ErrorKind& kind : error_kinds) row.push_back(grid_cell(cell.figure(kind.figure)));
+    for (GridCell& last : grid_row(fronts_it_is_on(point), cell.figure("error.wrong_verdicts"),
+                                   cell.figure("error.checked"), panel.points.size()))
+        row.push_back(std::move(last));
+    return row;
+}
+
+}  // namespace
+
+TextGrid front_grid(const ReportData& data, const std::string& shape) {
+    TextGrid grid{"On a front of time and error: by scene and shape, fastest first",
+                  columns_of("scene|shape|#vertices|algorithm or library|table type or precision|"
+                             "#ns per query|#p50 error|#p99.9 error|#worst error|on the front of|"
+                             "#wrong verdicts|#checked|#cells compared"),
+                  {}};
+    for (const FrontPanel& panel : fronts_of(data).panels) {
+        if (!shape.empty() && panel.shape != shape) continue;
+        for (const FrontPoint& point : panel.points)
+            if (point.on_any_front()) grid.rows.push_back(front_row(panel, point));
+    }
+    return grid;
+}
+
+TextGrid left_out_grid(const ReportData& data) {
+    std::map<std::tuple<std::string, std::string, std::string>, std::size_t> cells;
+    for (const auto& [cell, why] : fronts_of(data).left_out)
+        ++cells[{front_name(*cell), front_table(*cell), why}];
+    TextGrid grid{"Timed and among no points",
+                  columns_of("algorithm or library|table type or precision|#cells|why"),
+                  {}};
+    for (const auto& [key, count] : cells)
+        grid.rows.push_back(grid_row(std::get<0>(key), std::get<1>(key), count, std::get<2>(key)));
+    return grid;
 }
 
 }  // namespace edgewise::reports

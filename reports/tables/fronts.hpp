@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Times beside errors, panel by panel: the cells of one scene and shape that answer the same question, ours
-// and other libraries', and which of them are on the Pareto front of time and error. Table and chart show the
-// same.
+// Times next to errors, panel by panel: the cells of one scene and shape that answer the same question, ours
+// and other libraries', and which of them are on the Pareto front of time and error: those that nothing beats
+// in both. A point is dominated by one that is no worse in either and better in one, so equal points are on
+// the front together or not at all. Table and chart show the same.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +18,14 @@
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
+
+/// Smaller is better in both; infinity is a number, NaN none.
+struct SpeedError {
+    double ns, error;
+};
+
+/// For each point, whether none dominates it. A point with a NaN is on no front and dominates nothing.
+[[nodiscard]] std::vector<bool> pareto_front(std::span<const SpeedError> points);
 
 /// One way to sum up a cell's errors.
 struct ErrorKind {
@@ -50,7 +60,7 @@ struct Fronts {
         left_out;  ///< timed cells without a place, and why
 };
 
-/// Of all cells that were timed. The data must outlive the result.
+/// Returns the fronts over all timed cells. The data must outlive the result.
 [[nodiscard]] Fronts fronts_of(const ReportData& data);
 
 /// The value of `gap_tolerance` among a cell's axes, as text; empty where there is none.

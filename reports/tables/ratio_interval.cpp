@@ -29,7 +29,7 @@ std::size_t trimmed_each_side(std::size_t n) {
 
 std::optional<RatioInterval> median_interval(std::vector<double> ratios) {
     if (ratios.size() < 2) return std::nullopt;
-    std::sort(ratios.begin(), ratios.end());
+    std::ranges::sort(ratios);
     const std::size_t k = trimmed_each_side(ratios.size());
     if (k == 0) return RatioInterval{ratios.front(), ratios.back(), true};
     return RatioInterval{ratios[k - 1], ratios[ratios.size() - k], false};

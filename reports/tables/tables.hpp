@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of the report, as grids. What each shows and in which order is decided here, once, for every
-// page.
+// The tables of the report, as grids. These functions decide the content and the order of each, once, for
+// every page.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class PairKind { Separated, Overlapping };
 /// Returns the tables of a machine (measure::machine_json, as a store keeps it): processor and further facts,
 /// caches, counters.
 [[nodiscard]] std::vector<TextGrid> machine_grids(const nlohmann::json& machine);
-/// What ran, built how: key and value.
+/// Returns facts about the run and the build: key and value.
 [[nodiscard]] TextGrid facts_grid(const ReportData& data);
 /// Name and full parameters of every scene.
 [[nodiscard]] TextGrid scenes_grid(const ReportData& data);
@@ -79,29 +79,30 @@ inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.fie
 /// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
 /// otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);
-/// Its sums.
+/// Sums over the rows of policy_grid.
 struct PolicyCounts {
     std::size_t pairs = 0, changed = 0;
 };
 [[nodiscard]] PolicyCounts policy_counts(const ReportData& data);
 
-/// Support queries on a line per vertex beside those on separate arrays, and what that says of the published
-/// claim ("up to five times", arXiv 2509.03753), in one sentence.
+/// Support queries on a line per vertex next to those on separate arrays, and in one sentence what they say
+/// of the published claim ("up to five times", arXiv 2509.03753).
 [[nodiscard]] TextGrid support_grid(const ReportData& data);
 [[nodiscard]] std::string support_verdict(const ReportData& data);
 
-/// A cell of a table without seeds, or with some, and how many bytes they are.
+/// A cell of a table with seeds, or of one without, and the size of its seeds.
 struct SeededCell {
     const ReportCell* cell;
-    std::string starts;  ///< how its queries do: "cold", "random orientation"
+    std::string starts;  ///< how its queries start: "cold", "random orientation"
     double seed_bytes;
 };
-/// Of scenes and shapes that have both: by scene, vertices, algorithm and bytes.
+/// Returns the cells of scenes and shapes that have tables with seeds and one without, by scene, vertices,
+/// algorithm and bytes.
 [[nodiscard]] std::vector<SeededCell> seeded_cells(const ReportData& data);
-/// Time, steps and lines of these.
+/// Returns time, steps and lines of the cells of seeded_cells.
 [[nodiscard]] TextGrid seeds_grid(const ReportData& data);
 
-/// A picture that the sweep stored: whose, and the SVG.
+/// A picture that the sweep stored: the table that it shows, and the SVG.
 struct Drawing {
     std::string table, svg;
 };
@@ -111,21 +112,23 @@ struct Drawing {
 [[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
                                  const std::string& shape);
 
-/// Whether other libraries were measured.
+/// Returns true if other libraries were measured.
 [[nodiscard]] bool has_peers(const ReportData& data);
-/// Which: version, query, what a pair keeps, flags.
+/// Returns the libraries: version, query, what a pair keeps, flags.
 [[nodiscard]] TextGrid peers_grid(const ReportData& data);
-/// Edgewise beside them in one scene, time beside error: by shape, fastest first.
+/// Returns Edgewise and other libraries in one scene, with time and error: by shape, fastest first.
 [[nodiscard]] TextGrid peer_grid(const ReportData& data, const std::string& scene_label);
 
-/// Who is on a Pareto front of time and error, by scene and shape, fastest first; an empty `shape` means all.
+/// Returns the cells on a Pareto front of time and error, by scene and shape, fastest first; an empty `shape`
+/// means all.
 [[nodiscard]] TextGrid front_grid(const ReportData& data, const std::string& shape);
-/// Who is among the points of no front, and why.
+/// Returns the timed cells that are not among the points, and why.
 [[nodiscard]] TextGrid left_out_grid(const ReportData& data);
 
-/// What queries take, ours and other libraries', by scene and shape, fewest instructions first.
+/// Returns what a query takes in Edgewise and in other libraries, by scene and shape, fewest instructions
+/// first.
 [[nodiscard]] TextGrid effort_grid(const ReportData& data);
-/// The floor of each, and what was spent over it.
+/// Returns the floor of each row of effort_grid, and what was spent over it.
 [[nodiscard]] TextGrid effort_floor_grid(const ReportData& data);
 
 /// Worst errors and sums by algorithm and table type, over all cells.

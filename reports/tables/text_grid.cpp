@@ -20,7 +20,7 @@ namespace {
 class Reasons {
   public:
     std::size_t number(const std::string& why) {
-        const auto at = std::find(texts_.begin(), texts_.end(), why);
+        const auto at = std::ranges::find(texts_, why);
         if (at != texts_.end()) return static_cast<std::size_t>(at - texts_.begin()) + 1;
         texts_.push_back(why);
         return texts_.size();
@@ -181,9 +181,9 @@ std::vector<GridColumn> columns_of(std::string_view titles) {
 void drop_zero_columns(TextGrid& grid) {
     std::string zeros;
     for (std::size_t i = grid.columns.size(); i-- > 0;) {
-        const bool zero = grid.columns[i].number && !grid.rows.empty() &&
-                          std::all_of(grid.rows.begin(), grid.rows.end(),
-                                      [&](const auto& row) { return is_zero(row[i].text); });
+        const bool zero =
+            grid.columns[i].number && !grid.rows.empty() &&
+            std::ranges::all_of(grid.rows, [&](const auto& row) { return is_zero(row[i].text); });
         if (!zero) continue;
         append(zeros, grid.columns[i].title);
         const auto place = static_cast<std::ptrdiff_t>(i);
@@ -252,6 +252,74 @@ std::string grid_text(const TextGrid& grid, std::size_t width) {
     for (std::size_t i = 0; i < reasons.texts().size(); ++i)
         out += fmt::format("[{}] {}\n", i + 1, wrapped(input::shown_line(reasons.texts()[i]), width - 4, 4));
     return out;
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct MemberColumn {
+    Json::json_pointer member;
+    double unit = 1;
+    int digits = -1;
+};
+
+/// "#KiB = bytes 1024 0": the title is taken off.
+MemberColumn member_column(std::string& title) {
+    const std::size_t equals = title.find(" = ");
+    if (equals == std::string::npos) return {Json::json_pointer("/" + title)};
+    std::istringstream rest(title.substr(equals + 3));
+    title.resize(equals);
+    std::string member;
+    MemberColumn column;
+    rest >> member >> column.unit >> column.digits;
+    column.member = Json::json_pointer("/" + member);
+    return column;
+}
+
+std::string member_text(const Json& value, const MemberColumn& column) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_array()) {
+        std::string list;
+        for (const Json& item : value) append(list, member_text(item, column));
+        return list;
+    }
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (column.digits >= 0) return fmt::format("{:.{}f}", value.get<double>() / column.unit, column.digits);
+    if (value.is_number_float() || column.unit != 1) return number_text(value.get<double>() / column.unit);
+    return value.dump();
+}
+
+std::string reason_of(const Json& object) {
+    std::string why;
+    for (const char* part : {"reason", "remedy"})
+        if (object.contains(part) && object[part].is_string())
+            append(why, object[part].get<std::string>(), "; ");
+    return why;
+}
+
+/// Returns the reason for a missing value: a member next to it, or one of its row.
+GridCell member_cell(const Json& row, const MemberColumn& column, bool numeric) {
+    const Json value = row.contains(column.member) ? row.at(column.member) : Json();
+    if (!value.is_null()) return {member_text(value, column)};
+    const Json::json_pointer owner = column.member.parent_pointer();
+    std::string why = row.contains(owner) ? reason_of(row.at(owner)) : "";
+    if (why.empty()) why = reason_of(row);
+    return why.empty() ? GridCell{numeric ? "-" : ""} : missing_cell(why);
+}
+
+}  // namespace
+
+TextGrid member_grid(const Json& rows, std::string_view columns) {
+    TextGrid grid{"", columns_of(columns)};
+    std::vector<MemberColumn> members;
+    for (GridColumn& column : grid.columns) members.push_back(member_column(column.title));
+    for (const Json& row : rows) {
+        std::vector<GridCell>& cells = grid.rows.emplace_back();
+        for (std::size_t i = 0; i < members.size(); ++i)
+            cells.push_back(member_cell(row, members[i], grid.columns[i].number));
+    }
+    return grid;
 }
 
 }  // namespace edgewise::reports

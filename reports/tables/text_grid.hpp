@@ -25,10 +25,11 @@ struct GridColumn {
     bool number = false;  ///< set flush right
 };
 
-/// The figure's number divided by `unit`, with as many digits as it has meaning where `digits` names none; a
-/// star where its unit says that it is unverified. Or "not measured" with its reason and remedy.
+/// Returns the figure's number divided by `unit`, with `digits` decimals or, if negative, as number_text; a
+/// star follows if its unit says that it is unverified. Without a value: "not measured" with reason and
+/// remedy.
 [[nodiscard]] GridCell figure_cell(const measure::Figure& figure, double unit = 1, int digits = -1);
-/// One figure over another, or which of the two is not there.
+/// Returns one figure over another, or the reason for the one that is missing.
 [[nodiscard]] GridCell ratio_cell(const measure::Figure& above, const measure::Figure& below);
 [[nodiscard]] GridCell missing_cell(const std::string& why);
 /// A figure of a cell, and one of a cell over one of another; a dash where the store has no such cell.
@@ -39,7 +40,8 @@ struct GridColumn {
 [[nodiscard]] GridCell interval_cell(const measure::Figure& middle, const measure::Figure& low,
                                      const measure::Figure& high, int digits);
 
-/// From titles with bars between them, "scene|#tables|#ns": '#' stands before those that are set flush right.
+/// Returns columns from titles with bars between them, "scene|#tables|#ns"; '#' marks columns that are set
+/// flush right.
 [[nodiscard]] std::vector<GridColumn> columns_of(std::string_view titles);
 
 [[nodiscard]] inline GridCell grid_cell(const GridCell& cell) { return cell; }
@@ -96,7 +98,7 @@ void add_row(TextGrid& grid, std::vector<GridCell> names, const ReportCell& cell
     grid.rows.push_back(std::move(names));
 }
 
-/// What a cell is called under one of the names that rows begin with: "scene", "shape", "table type", ...
+/// Returns a cell's value for a name with which rows begin: "scene", "shape", "table type", ...
 [[nodiscard]] GridCell name_cell(const ReportCell& cell, std::string_view name);
 inline constexpr std::string_view cell_names = "scene|shape|algorithm|table type";
 [[nodiscard]] inline const ReportCell& cell_in(const ReportCell& cell) { return cell; }
@@ -121,7 +123,7 @@ template <class Cells, class FigureColumns>
 /// "reason" and "remedy" next to it, or of its row.
 [[nodiscard]] TextGrid member_grid(const nlohmann::json& rows, std::string_view columns);
 
-/// `most`: rows of it.
+/// Returns the first `most` rows as HTML.
 [[nodiscard]] std::string grid_html(const TextGrid& grid, std::size_t most = static_cast<std::size_t>(-1));
 [[nodiscard]] std::string grid_markdown(const TextGrid& grid);
 /// Lines for a terminal, without the caption: columns as wide as their cells, numbers flush right,

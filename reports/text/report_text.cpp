@@ -11,7 +11,7 @@ namespace edgewise::reports {
 std::string_view report_text(std::string_view name) {
     const auto texts = embedded_texts();
     const auto found =
-        std::find_if(texts.begin(), texts.end(), [&](const EmbeddedText& text) { return text.name == name; });
+        std::ranges::find_if(texts, [&](const EmbeddedText& text) { return text.name == name; });
     assert(found != texts.end());
     return found == texts.end() ? std::string_view() : found->text;
 }

@@ -222,9 +222,9 @@ edgewise_mutant(straddling_is_met reports/paper/claims/claim_rules.cpp [[ours.lo
     Claims.* ${claims})
 
 # The Pareto front of time and error
-edgewise_mutant(equal_points_beat_each_other reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]
+edgewise_mutant(equal_points_beat_each_other reports/tables/fronts.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && point.ns >= last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
-edgewise_mutant(as_slow_is_no_worse reports/tables/pareto_front.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && !equal && point.ns > last->ns) continue;]]
+edgewise_mutant(as_slow_is_no_worse reports/tables/fronts.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && !equal && point.ns > last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
 edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
     Error.HasQuantiles* ${unit}/probes/error_test.cpp)
@@ -237,7 +237,7 @@ edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (::
 edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
     WideResults.Leave* ${unit}/reports/results_test.cpp)
 
-edgewise_mutant(commands_of_other_builds reports/page/paper_figures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
+edgewise_mutant(commands_of_other_builds reports/page/pictures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
     Report.HasThePoints* ${unit}/reports/paper_figures_test.cpp)
 
 # Store

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/answer/break_even_text.hpp"
+#include "edgewise/reports/answer/break_even_map.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/pictures/break_even_picture.hpp"
@@ -21,7 +21,7 @@ namespace {
 /// The map and where its winner changes.
 std::string break_even_html(const BreakEvenMap& map) {
     if (map.measured() == 0)
-        return html_paragraph("No scene of this store was timed beside the baseline.", "note");
+        return html_paragraph("No scene of this store was timed in the same rounds as the baseline.", "note");
     std::string html = html_paragraph(break_even_sentence(map), "sentence");
     html += "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Who wins where, as a picture\">" +
             break_even_svg(map) + "</div>\n";

@@ -14,11 +14,9 @@
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/page/chapters/body_chapter.hpp"
-#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/body/body_heat.hpp"
 #include "edgewise/reports/page/chapters/fields_chapter.hpp"
 #include "edgewise/reports/page/chapters/glossary.hpp"
-#include "edgewise/reports/page/chapters/sentences.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -26,6 +24,27 @@
 #include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
+
+Chapter body_chapter(const Answer&, const ReportData& data) {
+    Chapter chapter{.id = "body", .title = "Where on the body is the work?", .link = "The body"};
+    const HeatOnBodies found = heat_on_bodies(data);
+    if (found.heats.empty()) {
+        chapter.paragraph = prose("no_body.md");
+        return chapter;
+    }
+    const BodyHeat& first = found.heats.front();
+    std::string options;
+    for (std::size_t i = 0; i < found.heats.size(); ++i)
+        options += html_option(std::to_string(i), found.heats[i].title(), i == 0);
+    chapter.paragraph = prose("body.md");
+    chapter.blocks = {
+        {.elements = fmt::format(fmt::runtime(report_text("page.body.html")),
+                                 fmt::arg("choice", html_select("body-cell", "reads of", options)),
+                                 fmt::arg("title", html_text(first.title())),
+                                 fmt::arg("svg", body_svg(found.bodies.at(first.cell->shape), first)),
+                                 fmt::arg("said", html_text(first.sentence())))}};
+    return chapter;
+}
 
 namespace {
 
@@ -92,9 +111,9 @@ Chapter layouts_chapter(const Answer&, const ReportData& data) {
     return chapter;
 }
 
-/// Returns the machine whose misses are not folded: this machine if it was modelled, else the first.
+/// Returns the machine with misses in full view: this machine if it was modelled, else the first.
 std::string shown_machine(const std::vector<std::string>& machines) {
-    const bool host = std::find(machines.begin(), machines.end(), "host") != machines.end();
+    const bool host = std::ranges::find(machines, "host") != machines.end();
     return host ? "host" : machines.front();
 }
 
@@ -154,7 +173,7 @@ Chapter times_chapter(const Answer& answer, const ReportData& data) {
     return chapter;
 }
 
-/// Where other libraries were measured.
+/// Null if no other library was measured.
 std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& data) {
     if (!has_peers(data) && data.effort.empty()) return std::nullopt;
     Chapter chapter{.id = "peers",

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's chapters: one question each, in its reader's words. This folder decides the content and order
-// of each.
+// The report's chapters: one question each, in its reader's words, with one sentence that answers it from the
+// store. This folder decides the content and order of each.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
+#include "edgewise/reports/body/body_heat.hpp"
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
@@ -35,5 +37,33 @@ struct Chapter {
 
 /// Chapters of the studies without one of their own, by name: one grid each, as the store describes it.
 [[nodiscard]] std::vector<Chapter> study_chapters(const ReportData& data);
+[[nodiscard]] Chapter body_chapter(const Answer& answer, const ReportData& data);
+
+[[nodiscard]] Chapter break_even_chapter(const Answer& answer, const ReportData& data);
+
+/// Returns the parts that depend on the error limit, as JSON: {"1e-6": html}, for the limits that the
+/// question bar offers.
+[[nodiscard]] std::string break_even_data(const ReportData& data);
+
+/// `other`: what the other store is called.
+[[nodiscard]] Chapter compare_chapter(const StoreComparison& comparison, double slack,
+                                      const std::string& other);
+
+/// How much of the largest table is what, and what the smallest takes.
+[[nodiscard]] std::string bytes_sentence(const ReportData& data);
+/// Lines of a query and the cache below which a scene thrashes: of the baseline and of the fewest.
+[[nodiscard]] std::string misses_sentence(const ReportData& data);
+/// What V-Clip's table costs to build and to refit: of the baseline and of the fewest lines per query.
+[[nodiscard]] std::string layouts_sentence(const ReportData& data);
+/// How time grows from the smallest to the largest built-in body.
+[[nodiscard]] std::string times_sentence(const Answer& answer, const ReportData& data);
+/// How many cells are on a front of time and error.
+[[nodiscard]] std::string fronts_sentence(const ReportData& data);
+/// Cases, wrong verdicts outside the band, differing ones inside.
+[[nodiscard]] std::string stability_sentence(const ReportData& data);
+/// Compares the fastest other library with the fastest cell of ours.
+[[nodiscard]] std::string peers_sentence(const Answer& answer);
+/// How often the replacement policy changes a ranking by misses.
+[[nodiscard]] std::string policy_sentence(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/chapters/sentences.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <fmt/core.h>
 
@@ -36,7 +36,7 @@ const ReportCell* cell_of_least(const std::vector<const ReportCell*>& cells, con
 }
 
 const ReportCell* cell_of(const std::vector<const ReportCell*>& cells, const Baseline& baseline) {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](const ReportCell* cell) {
+    const auto found = std::ranges::find_if(cells, [&](const ReportCell* cell) {
         return cell->algorithm == baseline.algorithm && cell->table == baseline.table;
     });
     return found == cells.end() ? nullptr : *found;
@@ -84,7 +84,7 @@ std::string misses_sentence(const ReportData& data) {
     std::vector<const ReportCell*> cells = modelled_cells(data);
     if (cells.empty()) return {};
     // The scene with the most lines is where caches matter.
-    const auto most = std::max_element(cells.begin(), cells.end(), [](const auto* a, const auto* b) {
+    const auto most = std::ranges::max_element(cells, [](const auto* a, const auto* b) {
         constexpr store::FigureName lines("reuse.lines_of_scene");
         return a->figure(lines).value.value_or(0) < b->figure(lines).value.value_or(0);
     });
@@ -121,9 +121,8 @@ std::string times_sentence(const Answer& answer, const ReportData& data) {
                    cell->shape_source != "built-in" || !cell->figure(store::all_time.ns).value;
         });
         if (cells.size() < 2) continue;
-        const auto [small, large] = std::minmax_element(
-            cells.begin(), cells.end(),
-            [](const ReportCell* a, const ReportCell* b) { return a->vertices < b->vertices; });
+        const auto [small, large] = std::ranges::minmax_element(
+            cells, [](const ReportCell* a, const ReportCell* b) { return a->vertices < b->vertices; });
         return fmt::format("In {}, {} takes {} ns per query with {} vertices and {} with {}.", scene.label,
                            baseline->name(), number_text(*(*small)->figure(store::all_time.ns).value),
                            (*small)->vertices, number_text(*(*large)->figure(store::all_time.ns).value),
@@ -176,7 +175,7 @@ std::string policy_sentence(const ReportData& data) {
     const PolicyCounts counts = policy_counts(data);
     if (counts.pairs == 0) return {};
     return fmt::format(
-        "Under tree-PLRU or random replacement in place of LRU, {} of {} pairs of tables change "
+        "Under tree-PLRU or random replacement instead of LRU, {} of {} pairs of tables change "
         "places by misses.",
         counts.changed, counts.pairs);
 }

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/chapter/thrash_study.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
@@ -74,17 +72,16 @@ ChapterPart own_part(const ReportData& data) {
 }
 
 bool has_paper_scene(const ReportData& data) {
-    return std::any_of(data.scene_files.begin(), data.scene_files.end(),
-                       [](const auto& file) { return is_of_paper(file.first); });
+    return std::ranges::any_of(data.scene_files, [](const auto& file) { return is_of_paper(file.first); });
 }
 
 void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<ChapterBlock>& blocks) {
     const auto without_rows = [](const TextGrid& grid) { return grid.rows.empty(); };
     std::erase_if(part.grids, without_rows);
     std::erase_if(part.long_grids, without_rows);
-    const bool drawn = !part.section.empty() &&
-                       std::any_of(charts.begin(), charts.end(),
-                                   [&](const Chart& chart) { return chart.section == part.section; });
+    const bool drawn = !part.section.empty() && std::ranges::any_of(charts, [&](const Chart& chart) {
+        return chart.section == part.section;
+    });
     if (!drawn && part.grids.empty() && part.long_grids.empty()) return;
     blocks.push_back({.title = part.title,
                       .paragraph = part.paragraph,

@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: MIT
 //
-// The chapter on the paper's figures: the claims and how they fare, then part by part what the paper shows.
-// A user's own scenes come before it.
+// The chapter on the paper's figures: the claims and how they fare, then part by part what the paper shows,
+// with its tables. A grid has no rows if the store lacks its scenes. The answer on the thrash at 386
+// vertices, which the paper saw in its figure 8 and explained in two ways, is computed from the store by
+// rules (thrash_evidence.hpp).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "edgewise/reports/page/chapters/chapters.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
+#include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
 
 /// Own scenes, where there are any; then the paper, in two lines where none of its scenes was measured.
 /// `charts`: those that the report has.
 [[nodiscard]] std::vector<Chapter> paper_chapters(const ReportData& data, const std::vector<Chart>& charts);
+
+/// V-Clip and GJK side by side in the scene without coherence, by shape and table type; preprocessing
+/// separately.
+[[nodiscard]] TextGrid static_grid(const ReportData& data);
+/// V-Clip and GJK by body and by distance between the pairs, with the steps and the time of one.
+[[nodiscard]] TextGrid static_gap_grid(const ReportData& data);
+/// V-Clip over GJK by the margin of the broad phase's boxes, in a moving scene and in the static one.
+[[nodiscard]] TextGrid margin_grid(const ReportData& data);
+/// Times, steps and verdicts with the paper's tolerance and without it.
+[[nodiscard]] TextGrid tolerance_grid(const ReportData& data);
+/// Every cell of a scene from a file: its place, how many of its queries are their pair's first, its
+/// times, its ratio to the baseline.
+[[nodiscard]] TextGrid file_scene_grid(const StoredScene& scene);
+/// The paper's cost functions, term by term, and the step as measured: scenes of growing numbers of bodies,
+/// or all other scenes.
+[[nodiscard]] TextGrid cost_grid(const ReportData& data, bool of_bodies);
+/// The cost of each need, relative to the plain cell, which gives witness points.
+[[nodiscard]] TextGrid needs_grid(const ReportData& data);
+/// Every need, nearness with each margin: time, lines, and how much bounds answer, over all pairs.
+[[nodiscard]] TextGrid all_needs_grid(const ReportData& data);
+/// Disagreement with exact arithmetic and with Moore-Wilhelms, in percent, by scene.
+[[nodiscard]] TextGrid robustness_grid(const ReportData& data);
+/// V-Clip as published: how often it is wrong on the queries that the hardened one answers right.
+[[nodiscard]] TextGrid raw_vclip_grid(const ReportData& data);
+/// The cost of building and refitting a table, and its size.
+[[nodiscard]] TextGrid build_grid(const ReportData& data);
+
+/// Cache, paging or both; from what size, speed, number of bodies and memory on; what each layout does to it;
+/// and which sentence of the paper holds. Figures that the store lacks are named with the reason.
+[[nodiscard]] std::string thrash_paragraph(const ReportData& data);
+/// Its sentence on the machine that measured: V-Clip's time at 386 vertices over that at 38, at the fastest
+/// rotation, with a table for every body and with one for all; and GJK's.
+[[nodiscard]] std::string thrash_here(const ReportData& data);
+/// What each layout and sharing does to it at 386 vertices: knees, misses and memory time.
+[[nodiscard]] TextGrid thrash_grid(const ReportData& data);
+/// Every limit of the paging run: page faults measured and predicted.
+[[nodiscard]] TextGrid paging_grid(const ReportData& data);
 
 }  // namespace edgewise::reports

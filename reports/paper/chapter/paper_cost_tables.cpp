@@ -14,7 +14,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
@@ -87,13 +87,12 @@ std::vector<const ReportCell*> by_need(const ByAxes& cells) {
         const std::string name = need_name(*cell);
         const std::size_t mark = name.find(margin_mark);
         const std::string margin = mark == name.npos ? "0" : name.substr(mark + margin_mark.size());
-        return std::tuple(std::find(order.begin(), order.end(), name.substr(0, mark)) - order.begin(),
+        return std::tuple(std::ranges::find(order, name.substr(0, mark)) - order.begin(),
                           std::strtod(margin.c_str(), nullptr), cell->axes);
     };
     std::vector<const ReportCell*> sorted;
     for (const auto& [axes, cell] : cells) sorted.push_back(cell);
-    std::sort(sorted.begin(), sorted.end(),
-              [&](const ReportCell* a, const ReportCell* b) { return place(a) < place(b); });
+    std::ranges::sort(sorted, [&](const ReportCell* a, const ReportCell* b) { return place(a) < place(b); });
     return sorted;
 }
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -129,7 +129,7 @@ TextGrid robustness_grid(const ReportData& data) {
 
 TextGrid raw_vclip_grid(const ReportData& data) {
     TextGrid grid{
-        "Raw V-Clip (axis hardening=off) beside the hardened one, on the same queries; cycles and GJK's "
+        "Raw V-Clip (axis hardening=off) and the hardened one, on the same queries; cycles and GJK's "
         "answers are of all queries",
         columns_of("scene|body or family|table type|#independent queries|#raw: wrong answers|"
                    "#of these, verdicts|#share, at most|#raw: cycles|#hardened: wrong answers|"
@@ -137,9 +137,8 @@ TextGrid raw_vclip_grid(const ReportData& data) {
     for (const auto* rows : {&data.from_files, &data.stability}) {
         for (const ReportCell& raw : *rows) {
             if (!raw.is_raw()) continue;
-            const auto hardened = std::find_if(rows->begin(), rows->end(), [&](const ReportCell& cell) {
-                return is_hardened_of(raw, cell);
-            });
+            const auto hardened = std::ranges::find_if(
+                *rows, [&](const ReportCell& cell) { return is_hardened_of(raw, cell); });
             grid.rows.push_back(raw_row(raw, hardened == rows->end() ? nullptr : &*hardened));
         }
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One function per sentence.
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+// One function per sentence; then the tables: what layouts and sharing do to the thrash, at every number of
+// vertices and angle per step, and the paging run, one row per limit.
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -160,7 +162,7 @@ std::string measured_text(const ReportCell& row) {
         if (*limit.faults.value > 0 && *limit.held.value > memory.value_or(0))
             memory = limit.held.value, faults = limit.faults.value;
     }
-    const auto bodies = scene_number(row, "bodies");
+    const auto bodies = parameter_of(row, "bodies");
     const std::string who = fmt::format("{} {} on {}{}", row.shape, row.algorithm, row.table,
                                         bodies ? fmt::format(", {:.0f} bodies", *bodies) : "");
     if (!any) return fmt::format("{}: {}", who, missing_text(why));
@@ -193,12 +195,12 @@ std::string layout_text(const ReportCell& cell, const ReportCell& base) {
 }
 
 /// Every other table type of V-Clip, and GJK on the same tables.
-std::string layouts_sentence(const ReportData& data) {
+std::string other_layouts_sentence(const ReportData& data) {
     const auto base = thrash_cells(data, 386, "vclip", "aos_f64");
     if (base.empty()) return "What layouts do to it is missing: no verified cell of V-Clip on aos_f64.";
     std::vector<std::string> texts;
     for (const ReportCell* cell : thrash_scene(data, 386).cells) {
-        const auto step = scene_number(*cell, "rotation_step");
+        const auto step = parameter_of(*cell, "rotation_step");
         const bool told = cell->algorithm == "vclip" || cell->table == "aos_f64";
         if (!cell->verified() || !told || cell == base.front().second) continue;
         if (step && *step == base.front().first) texts.push_back(layout_text(*cell, *base.front().second));
@@ -251,8 +253,8 @@ std::string thrash_here_growth(const ReportData& data, const std::string& algori
 std::string thrash_paragraph(const ReportData& data) {
     std::vector<std::string> sentences = {settled_paragraph(data)};
     if (sentences.front().empty()) sentences = {answer(data), papers_sentence(data)};
-    for (const auto& sentence :
-         {cache_sentence, line_sentence, page_sentence, measured_sentence, thrash_here, layouts_sentence})
+    for (const auto& sentence : {cache_sentence, line_sentence, page_sentence, measured_sentence, thrash_here,
+                                 other_layouts_sentence})
         sentences.push_back(sentence(data));
     return fmt::format("{}", fmt::join(sentences, " "));
 }
@@ -269,6 +271,56 @@ std::string thrash_here(const ReportData& data) {
     if (!shared.empty()) out += fmt::format("; {} when all share one", shared);
     if (!gjk.empty()) out += fmt::format("; GJK, with tables of their own, {}", gjk);
     return out + ".";
+}
+
+namespace {
+
+std::vector<FigureColumn> thrash_columns() {
+    std::vector<FigureColumn> columns = {{"line knee, KiB", store::line_knee.warm(), kibibyte},
+                                         {"page knee, MiB", store::page_knee.warm(), mebibyte},
+                                         {"lines per query", store::reuse_names[0].per_query.warm()},
+                                         {"pages per query", store::reuse_names[1].per_query.warm()}};
+    for (const OldLevel& level : old_levels)
+        columns.push_back({std::string(level.label) + ": misses",
+                           store::level_misses.of(level.machine, level.level).warm()});
+    for (const char* machine : old_machines)
+        columns.push_back(
+            {std::string(machine) + " memory, us", store::memory_time.of(machine).warm(), 1000});
+    return columns;
+}
+
+}  // namespace
+
+TextGrid thrash_grid(const ReportData& data) {
+    const std::vector<FigureColumn> columns = thrash_columns();
+    TextGrid grid = figure_grid(
+        "The thrash by table: knees, lines and pages per query touches, modelled misses and memory time",
+        "#vertices|#rad per step|algorithm|table type", columns);
+    for (const int vertices : thrash_vertices) {
+        for (const ReportCell* cell : thrash_scene(data, vertices).cells) {
+            const auto step = parameter_of(*cell, "rotation_step");
+            if (cell->verified() && step)
+                add_row(grid, grid_row(vertices, number_text(*step), cell->algorithm, cell->table), *cell,
+                        columns);
+        }
+    }
+    return grid;
+}
+
+TextGrid paging_grid(const ReportData& data) {
+    TextGrid grid{"Page faults per query under memory limits",
+                  columns_of("shape|algorithm|table type|#bodies|#tables, MiB|#touched, MiB|#limit, MiB|"
+                             "#left to tables, MiB|#predicted|#measured|#us per query")};
+    for (const ReportCell& row : data.paging) {
+        const auto bodies = parameter_of(row, "bodies");
+        for (const PagingLimit& limit : paging_limits(row))
+            grid.add(row.shape, row.algorithm, row.table, bodies ? number_text(*bodies) : "–",
+                     figure_cell(row.figure("paging.table_bytes"), mebibyte),
+                     figure_cell(row.figure("paging.touched_bytes"), mebibyte),
+                     figure_cell(limit.limit, mebibyte), figure_cell(limit.held, mebibyte),
+                     limit.predicted_at_held, limit.faults, limit.us);
+    }
+    return grid;
 }
 
 }  // namespace edgewise::reports

@@ -29,7 +29,7 @@ StoredScene parse(const std::string& name, const std::string& text) {
 
 std::optional<double> StoredScene::place(const ReportCell& cell) const {
     if (varied.empty()) return static_cast<double>(cell.vertices);
-    return scene_number(cell, varied);
+    return parameter_of(cell, varied);
 }
 
 std::string StoredScene::axis_title() const {
@@ -54,13 +54,6 @@ StoredScene scene_file(const ReportData& data, const std::string& name) {
 
 bool is_of_paper(const std::string& scene) {
     return std::ranges::find(paper_scenes, scene) != std::end(paper_scenes);
-}
-
-std::optional<double> scene_number(const ReportCell& cell, const std::string& name) {
-    const StoredSceneJson parameters = input::json_or_null(cell.scene_parameters);
-    if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
-        return std::nullopt;
-    return parameters[name].get<double>();
 }
 
 const ReportCell* nearest_cell(const StoredScene& scene, const std::string& algorithm,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/scene_label.hpp"
 
 namespace edgewise::reports {
 
@@ -39,11 +40,9 @@ inline constexpr std::string_view paper_scenes[] = {
     "paper_static_margin", "paper_static_gap", "paper_tolerance"};
 [[nodiscard]] bool is_of_paper(const std::string& scene);
 
-/// A number of the cell's scene parameters; null when they do not name it.
-[[nodiscard]] std::optional<double> scene_number(const ReportCell& cell, const std::string& name);
 /// A new random orientation each step: coherence's other end.
 [[nodiscard]] inline bool has_random_orientation(const ReportCell& cell) {
-    return scene_number(cell, "random_orientation").value_or(0) != 0;
+    return parameter_of(cell, "random_orientation").value_or(0) != 0;
 }
 /// Returns the verified cell of this algorithm and table type that is nearest to a wanted place; null if
 /// there is none.

@@ -10,18 +10,18 @@ namespace edgewise::reports {
 
 namespace {
 
-constexpr const char *algorithm = "vclip", *table = "aos_f64";
+constexpr const char *thrash_algorithm = "vclip", *thrash_table = "aos_f64";
 
 /// The slowest or the fastest of V-Clip's cells; null when there is none.
 const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
-    const auto cells = thrash_cells(data, vertices, algorithm, table);
+    const auto cells = thrash_cells(data, vertices, thrash_algorithm, thrash_table);
     if (cells.empty()) return nullptr;
     return fastest ? cells.back().second : cells.front().second;
 }
 
 measure::Expected<double> no_cell(int vertices) {
-    return measure::Expected<double>::none(
-        fmt::format("the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices, table));
+    return measure::Expected<double>::none(fmt::format(
+        "the store has no verified cell of paper_thrash_{} with V-Clip on {}", vertices, thrash_table));
 }
 
 bool gives_the_time(const ReportData& data, const std::string& machine, bool fastest) {
@@ -33,9 +33,9 @@ bool gives_the_time(const ReportData& data, const std::string& machine, bool fas
 /// Returns true if a row of the paging run faults often with as much memory for the tables as a machine of
 /// the time had; null for rows other than V-Clip on aos_f64, 386 vertices, hundreds of bodies.
 std::optional<bool> faults_in_old_memory(const ReportCell& row) {
-    const bool ours =
-        row.verified() && row.algorithm == algorithm && row.table == table && row.vertices == 386;
-    if (!ours || scene_number(row, "bodies").value_or(more_than_hundreds) >= more_than_hundreds)
+    const bool ours = row.verified() && row.algorithm == thrash_algorithm && row.table == thrash_table &&
+                      row.vertices == 386;
+    if (!ours || parameter_of(row, "bodies").value_or(more_than_hundreds) >= more_than_hundreds)
         return std::nullopt;
     std::optional<bool> found;
     for (const PagingLimit& limit : paging_limits(row)) {
@@ -52,11 +52,11 @@ std::vector<std::pair<double, const ReportCell*>> thrash_cells(const ReportData&
                                                                const std::string& table_name) {
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell* cell : thrash_scene(data, vertices).cells) {
-        const auto step = scene_number(*cell, "rotation_step");
+        const auto step = parameter_of(*cell, "rotation_step");
         if (step && cell->verified() && cell->algorithm == algorithm_name && cell->table == table_name)
             cells.emplace_back(*step, cell);
     }
-    std::sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::sort(cells, [](const auto& a, const auto& b) { return a.first < b.first; });
     return cells;
 }
 
@@ -73,7 +73,7 @@ measure::Expected<double> thrash_number(const ReportData& data, int vertices, bo
                                         const std::string& name) {
     const ReportCell* cell = end_cell(data, vertices, fastest);
     if (!cell) return no_cell(vertices);
-    return {scene_number(*cell, name), "the scene's parameters do not name its " + name};
+    return {parameter_of(*cell, name), "the scene's parameters do not name its " + name};
 }
 
 measure::Expected<double> worst_figure(const ReportData& data, int vertices, const store::FigureName& name) {
@@ -137,7 +137,7 @@ std::vector<PagingLimit> paging_limits(const ReportCell& row) {
         const auto is_limit = [&](const store::FigureRow& figure) {
             return figure.probe == "paging" && figure.name == limit;
         };
-        if (std::none_of(row.figures.begin(), row.figures.end(), is_limit)) return limits;
+        if (std::ranges::none_of(row.figures, is_limit)) return limits;
         const auto figure = [&](const store::FigureName& name) { return row.figure(name.of(number)); };
         limits.push_back(
             {figure("paging.limit_bytes.{limit}"), figure("paging.held_bytes.{limit}"),

@@ -28,7 +28,7 @@ struct OldLevel {
     const char *machine, *level;
     const char* label;
 };
-/// Processors of the paper's time whose caches are modelled, with the size of each level (their descriptions
+/// Processors of the paper's time with modelled caches, and the size of each level (their descriptions
 /// in measure/machines name the sources).
 inline constexpr std::array<OldLevel, 4> old_levels = {
     {{"pentium3_coppermine", "L1D", "Pentium III L1D, 16 KiB"},
@@ -43,7 +43,7 @@ inline constexpr double most_old_memory = 256 * 1048576.0;
 
 /// How much longer the paper's axis of time is for 386 vertices than for 38: 1.2e-3 s over 1e-4 s.
 inline constexpr double papers_factor = 12;
-/// What its axis grows by, in nanoseconds.
+/// Growth of the paper's axis from figure 7 to figure 8, in nanoseconds.
 inline constexpr double papers_growth_ns = 1.1e6;
 /// A cause must give at least this share of that: the modelled processors may be ten times as fast as theirs.
 inline constexpr double least_share = 0.1;
@@ -89,7 +89,7 @@ struct PagingLimit {
     measure::Figure limit, held, faults, predicted_at_held, predicted_at_limit, us;
 };
 
-/// In the order of the store's numbers, until one is not there.
+/// Returns the limits in the order of the store's numbers, up to the first missing one.
 [[nodiscard]] std::vector<PagingLimit> paging_limits(const ReportCell& row);
 
 }  // namespace edgewise::reports

@@ -162,8 +162,8 @@ std::string other_machines_sentence(const std::vector<ThrashRow>& rows) {
 }  // namespace
 
 std::size_t ThrashRow::count(unsigned wanted) const {
-    return static_cast<std::size_t>(std::count_if(settings.begin(), settings.end(),
-                                                  [&](const ScoredSetting& one) { return one.has(wanted); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(settings, [&](const ScoredSetting& one) { return one.has(wanted); }));
 }
 
 std::string ThrashRow::name() const {
@@ -196,9 +196,9 @@ std::vector<ThrashRow> thrash_rows(const ReportData& data) {
         row.cell = cell;
         row.mechanism = text_parameter(*cell, "mechanism");
         row.machine = text_parameter(*cell, "machine");
-        row.intensity = scene_number(*cell, "intensity").value_or(0);
-        row.time_step = scene_number(*cell, "time_step").value_or(0);
-        row.own_tables = scene_number(*cell, "own_tables").value_or(0) != 0;
+        row.intensity = parameter_of(*cell, "intensity").value_or(0);
+        row.time_step = parameter_of(*cell, "time_step").value_or(0);
+        row.own_tables = parameter_of(*cell, "own_tables").value_or(0) != 0;
         for (const store::FigureRow& figure : cell->figures)
             if (const auto setting = setting_of(figure)) row.settings.push_back(*setting);
         rows.push_back(std::move(row));
@@ -211,7 +211,7 @@ std::vector<RealisedRow> realised_rows(const ReportData& data) {
     for (const ReportCell* cell : rows_of_run(data, "thrash_realised", "mechanism")) {
         RealisedRow row;
         row.cell = cell;
-        const auto number = [&](const char* name) { return scene_number(*cell, name).value_or(0); };
+        const auto number = [&](const char* name) { return parameter_of(*cell, name).value_or(0); };
         row.number = static_cast<int>(number("number"));
         row.what = fmt::format("{:g} bodies, {:g} MiB, {:g} us a fault; {}, {}, steps of {}",
                                number("bodies"), number("memory_mib"), number("fault_us"), cell->table,

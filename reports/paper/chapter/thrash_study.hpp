@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the store has of the study of figure 8 (studies/thrash): which combinations of what the paper leaves
+// Rows of the study of figure 8 in the store (studies/thrash): which combinations of what the paper leaves
 // open give the four facts that the figure states, and the cells that were made real.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace edgewise::reports {
 
-/// The processor of which the store keeps every setting.
+/// The only processor with every setting in the store.
 inline constexpr const char* region_machine = "pentium2_deschutes";
 
 /// Which facts hold, as thrash.facts adds them.

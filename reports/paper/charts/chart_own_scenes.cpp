@@ -16,11 +16,10 @@ namespace edgewise::reports {
 namespace {
 
 bool all_positive(const ChartJson& values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](const ChartJson& row) { return row["place"].get<double>() > 0; });
+    return std::ranges::all_of(values, [](const ChartJson& row) { return row["place"].get<double>() > 0; });
 }
 
-/// Where a cell stands; null, and counted, where its scene does not say.
+/// Returns a cell's place on the axis; null, and counted, if its scene does not name it.
 ChartJson own_place(const StoredScene& scene, const ReportCell& cell, Omissions& omitted) {
     const auto at = scene.place(cell);
     if (!at) {

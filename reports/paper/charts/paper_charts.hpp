@@ -22,7 +22,7 @@ inline constexpr const char* own_section = "own";  ///< a user's own scenes
 
 /// Makes it the chart of that figure of the paper: "figure_4".
 inline void number_chart(Chart& chart, int figure) {
-    chart.figure = figure;
+    chart.is_cited = true;
     chart.name = "figure_" + std::to_string(figure);
 }
 
@@ -40,7 +40,7 @@ inline void number_chart(Chart& chart, int figure) {
 [[nodiscard]] Chart paper_reuse_chart(const ReportData& data);
 /// Page faults against memory, measured and predicted.
 [[nodiscard]] Chart paper_paging_chart(const ReportData& data);
-/// Time against bodies on this machine, beside its caches.
+/// Time against bodies on this machine, with its caches.
 [[nodiscard]] Chart paper_here_chart(const ReportData& data);
 /// Where the facts of figure 8 hold, modelled; and figure 8 in the cells that were made real.
 [[nodiscard]] Chart paper_region_chart(const ReportData& data);
@@ -48,7 +48,7 @@ inline void number_chart(Chart& chart, int figure) {
 /// Time against what a user's own scene varies.
 [[nodiscard]] std::vector<Chart> own_scene_charts(const ReportData& data);
 
-/// All of the above that have something to draw.
+/// Returns all charts of the chapter that have something to draw.
 [[nodiscard]] std::vector<Chart> chapter_charts(const ReportData& data);
 
 // A rotation by w between two steps is the same orientation as one of w less whole turns, and one beyond half

@@ -14,7 +14,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Where the cells of one value stand.
+/// The scene and the place on its axis of the cells of one value.
 struct ValuePlace {
     const char* assumption;
     std::string value;
@@ -63,7 +63,8 @@ Evidence not_stored(const ValuePlace& place) {
                                    number_text(place.x), place.axes.empty() ? "" : ", " + place.axes));
 }
 
-/// Both were timed beside the scene's plain V-Clip, which is `vclip` itself where no axis is varied.
+/// Both were timed in the same rounds as the scene's plain V-Clip, which is `vclip` itself if no axis is
+/// varied.
 Evidence vclip_over_gjk(const ReportData& data, const ValuePlace& place, int vertices) {
     const ReportCell *vclip = cell_at(data, place, vertices, "vclip"),
                      *gjk = cell_at(data, place, vertices, "gjk");
@@ -108,7 +109,7 @@ std::string sentence_of(const std::vector<AssumedValue>& values, std::size_t siz
     for (const VclipIs verdict : {VclipIs::faster, VclipIs::slower, VclipIs::undecided}) {
         const std::string& under = by_verdict[static_cast<std::size_t>(verdict)];
         if (under.empty()) continue;
-        const bool always = std::all_of(values.begin(), values.end(), [&](const AssumedValue& one) {
+        const bool always = std::ranges::all_of(values, [&](const AssumedValue& one) {
             const VclipIs found = judged(one.vclip_over_gjk[size]);
             return found == verdict || found == VclipIs::unknown;
         });
@@ -137,7 +138,7 @@ std::vector<AssumedValue> assumed_values(const ReportData& data) {
 
 TextGrid assumptions_grid(const ReportData& data) {
     TextGrid grid{
-        "What we had to assume, each varied alone (aos_f64, 4 rad/s but for the tolerance, queries that "
+        "What we had to assume, each varied alone (aos_f64, 4 rad/s except for the tolerance, queries that "
         "start warm; ratios of times with 95 % intervals of this run's rounds)",
         columns_of("assumption|value|ours|#V-Clip / GJK, 8 vertices|#38|#386|V-Clip at 8, 38, 386 is|"
                    "#386 / 38, V-Clip|#386 / 38, GJK"),

@@ -24,13 +24,14 @@ struct AssumedValue {
     Evidence vclip_growth, gjk_growth;  ///< time at 386 vertices over that at 38
 };
 
-/// In a fixed order; values whose cells are not stored give reasons.
+/// Returns all values in a fixed order; a value without stored cells gives a reason.
 [[nodiscard]] std::vector<AssumedValue> assumed_values(const ReportData& data);
 
 /// One row per value, those of one assumption side by side; no rows where none of the scenes is stored.
 [[nodiscard]] TextGrid assumptions_grid(const ReportData& data);
 
-/// Which findings hold under every value, and which do not and under what; empty where nothing is stored.
+/// Says which findings hold under every value, and under which values the rest hold; empty if nothing is
+/// stored.
 [[nodiscard]] std::string assumptions_paragraph(const ReportData& data);
 
 }  // namespace edgewise::reports

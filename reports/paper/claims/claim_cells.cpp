@@ -32,7 +32,7 @@ bool fits(const ReportCell& cell, const CellKey& key) {
 std::optional<double> cells_place_of(const ReportCell& cell, const std::string& parameter) {
     if (parameter == "vertices") return static_cast<double>(cell.vertices);
     if (has_random_orientation(cell)) return std::nullopt;
-    return scene_number(cell, parameter);
+    return parameter_of(cell, parameter);
 }
 
 std::string no_stored_cell(const CellKey& key) {
@@ -89,8 +89,7 @@ std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key, c
             if (const auto x = cells_place_of(cell, parameter)) found.push_back({*x, &cell});
         }
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
+    std::ranges::stable_sort(found, [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
     return found;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds the cells that a claim is about and takes figures from them as evidence. A cell that is not stored,
-// was not verified or lacks the figure gives the reason instead of a number. And the claims by theme, one
-// file each, with what their rules have in common: which tables stand for the paper's two programs, and which
-// of our speeds lie in the range of which of its figures.
+// was not verified or lacks the figure gives the reason instead of a number. How a quantity grows: the
+// exponent of a power law through a curve, and whether a logarithm fits it better. And the claims by theme,
+// with what their rules have in common: which tables represent the paper's two programs, and which of our
+// speeds are in the range of which figure.
 #pragma once
 
 #include <string>
@@ -33,7 +34,7 @@ struct CurvePoint {
     Evidence y;
 };
 
-/// Both ends belong to it.
+/// A closed range.
 struct CurveRange {
     double low = 0, high = 0;
 };
@@ -87,7 +88,7 @@ struct CurveRange {
     return {scene, shape, "gjk"};
 }
 
-/// The shape of so many vertices in the paper's scenes: "cube8", "sphere38".
+/// Returns the shape with this number of vertices in the paper's scenes: "cube8", "sphere38".
 [[nodiscard]] std::string paper_shape(int vertices);
 /// The vertices of the scenes paper_angular_*.
 inline constexpr int angular_sizes[] = {8, 38, 386};
@@ -122,5 +123,16 @@ template <class Of>
         parts.push_back({label + paper_shape(vertices), of(vertices), wanted});
     return parts;
 }
+
+/// The slope of log y over log x by least squares. Its interval is what the slope can be while every y stays
+/// within its own interval. None with fewer than three points above 0, for which a slope has no test.
+[[nodiscard]] Evidence growth_exponent(const std::vector<CurvePoint>& curve);
+
+/// Root mean squares of the relative residuals of a + b log x and of c x^p, each fitted to make its own
+/// small.
+struct LogOrPower {
+    Evidence logarithm, power;
+};
+[[nodiscard]] LogOrPower log_or_power(const std::vector<CurvePoint>& curve);
 
 }  // namespace edgewise::reports

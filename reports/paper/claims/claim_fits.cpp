@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Relative residuals, since the largest body's value would outweigh all others'.
-#include "edgewise/reports/paper/claims/claim_fits.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 #include <fmt/core.h>
 
@@ -67,7 +67,7 @@ Evidence growth_exponent(const std::vector<CurvePoint>& curve) {
     }
     // A curve without intervals has none either; sums in another order would differ in their last bit.
     const auto timed = [](const CurvePoint& point) { return point.y.has_interval(); };
-    if (std::none_of(curve.begin(), curve.end(), timed)) return exact_evidence(slope);
+    if (std::ranges::none_of(curve, timed)) return exact_evidence(slope);
     return interval_evidence(slope, low, high);
 }
 

@@ -164,16 +164,15 @@ Claim judge_variants(const std::string& id, const std::string& assumption,
         reasons = joined(reasons, of_variant(variants[i].name, claims[i]));
     }
     const auto all_are = [&](const auto& property) {
-        return std::all_of(claims.begin(), claims.end(),
-                           [&](const Claim& one) { return one.*property == claims.front().*property; });
+        return std::ranges::all_of(
+            claims, [&](const Claim& one) { return one.*property == claims.front().*property; });
     };
     if (all_are(&Claim::reason) && all_are(&Claim::verdict)) return claim;
     claim.reason = reasons;
     if (all_are(&Claim::verdict)) return claim;
     for (const char* undecided : {"not measured", "inconclusive"}) {
         claim.verdict = undecided;
-        if (std::any_of(claims.begin(), claims.end(),
-                        [&](const Claim& one) { return one.verdict == undecided; }))
+        if (std::ranges::any_of(claims, [&](const Claim& one) { return one.verdict == undecided; }))
             return claim;
     }
     claim.verdict = "depends on: " + assumption;

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
@@ -95,17 +96,10 @@ std::string outer_caches(const nlohmann::json& machine) {
     return out;
 }
 
-std::string cpu_name(const nlohmann::json& machine) {
-    if (!machine.contains("cpu") || !machine["cpu"].is_object()) return {};
-    const nlohmann::json& name = machine["cpu"].value("name", nlohmann::json());
-    return name.is_string() ? name.get<std::string>() : std::string();
-}
-
-std::string machine_of_claims(const std::string& machine_json) {
-    const auto machine = input::json_or_null(machine_json);
+std::string machine_of_claims(const ReportData& data) {
+    const auto machine = input::json_or_null(data.build.machine_json);
     if (!machine.is_object()) return "not stored";
-    std::string out = cpu_name(machine);
-    if (out.empty()) out = "a processor without a name";
+    std::string out = processor_text(data);
     append(out, outer_caches(machine));
     return out;
 }
@@ -121,8 +115,7 @@ std::vector<Claim> judge_claims(const ReportData& data) {
         std::move(claims.begin(), claims.end(), std::back_inserter(all));
     }
     for (Claim& claim : all) claim.conditions = claim_conditions(data, claim.deterministic);
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Claim& a, const Claim& b) { return place_of_kind(a) < place_of_kind(b); });
+    std::ranges::stable_sort(all, {}, place_of_kind);
     return all;
 }
 
@@ -130,8 +123,8 @@ std::string claims_summary(const std::vector<Claim>& claims) {
     std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
     for (const Claim& claim : claims) {
         if (claim.kind != kinds_of_claims[0]) continue;
-        const auto found = std::find_if(names_by_verdict.begin(), names_by_verdict.end(),
-                                        [&](const auto& entry) { return entry.first == claim.verdict; });
+        const auto found = std::ranges::find_if(
+            names_by_verdict, [&](const auto& entry) { return entry.first == claim.verdict; });
         if (found == names_by_verdict.end())
             names_by_verdict.emplace_back(claim.verdict, claim.id);
         else
@@ -194,7 +187,7 @@ TextGrid claims_grid(const ReportData& data) {
 std::string claim_conditions(const ReportData& data, bool deterministic) {
     const std::string seeds = seeds_in_words(data);
     if (deterministic) return seeds + ", on any machine";
-    return fmt::format("{}, on this machine: {}; {}", seeds, machine_of_claims(data.build.machine_json),
+    return fmt::format("{}, on this machine: {}; {}", seeds, machine_of_claims(data),
                        data.build.compiler.empty() ? "compiler not stored" : data.build.compiler);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the paper claims (Levey, Peters and O'Sullivan, 2001), sentence by sentence where a sentence can be
-// measured, with a verdict that a rule computes from the results store. Rules and their thresholds stand in
+// measured, with a verdict that a rule computes from the results store. Rules and their thresholds are in
 // claim_*.cpp, by theme; nothing is judged by hand.
 #pragma once
 
@@ -41,7 +41,7 @@ struct Claim {
 /// Primary findings by verdict, by name: a number of claims would be no result, since they weigh differently.
 [[nodiscard]] std::string claims_summary(const std::vector<Claim>& claims);
 
-/// What the command `claims` prints. A claim that is not reproduced is a finding, not an error.
+/// Returns the output of the command on claims. A claim that is not reproduced is a finding, not an error.
 [[nodiscard]] std::string claims_text(const ReportData& data, bool json);
 
 /// One verdict per claim, with its figures as a note: to be compared with another store's. Every difference

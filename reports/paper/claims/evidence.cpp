@@ -15,13 +15,12 @@ namespace {
 /// The first that is missing, or a reason for none at all; null when all are there.
 std::optional<Evidence> what_is_missing(const std::vector<Evidence>& all, const std::string& when_none) {
     if (all.empty()) return no_evidence(when_none);
-    const auto gap =
-        std::find_if(all.begin(), all.end(), [](const Evidence& evidence) { return !evidence.value; });
+    const auto gap = std::ranges::find_if(all, [](const Evidence& evidence) { return !evidence.value; });
     if (gap == all.end()) return std::nullopt;
     return *gap;
 }
 
-/// Of the values, and of both ends of their intervals.
+/// Smallest or largest of the values, and of each end of their intervals.
 template <class Pick>
 Evidence extreme(const std::vector<Evidence>& all, const std::string& when_none, Pick pick) {
     if (const auto gap = what_is_missing(all, when_none)) return *gap;

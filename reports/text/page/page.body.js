@@ -1,5 +1,5 @@
-// The body of a cell with the heat of its features, turned by hand: the paths that the page has already, drawn anew from
-// another side. Seen along -z after a turn about y, then about x, as body_picture.cpp draws the first view.
+// The body of a cell with the heat of its features, turned by hand: the paths that the page has, drawn again from another
+// side. Seen along -z after a turn about y, then about x, as body_heat.cpp draws the first view.
 'use strict';
 const bodyView = { yaw: 0.6, pitch: 0.4, size: 420, margin: 12, levels: 6, data: null, shown: 0 };
 

@@ -1,4 +1,4 @@
-// All cells of the store, with every figure: a table of those that were searched for, and a card for one of them, which
+// All cells of the store, with every figure: a table of the cells that match a search, and a card for one cell, which
 // has an address (#cell=...).
 'use strict';
 const headline = ['time.all_ns', 'time.all_ratio', 'bytes.total_bytes_per_edge', 'lines.lines_per_query',

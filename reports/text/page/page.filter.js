@@ -1,14 +1,14 @@
-// The bar over the chapters: charts, tables and the map show what is of one scene, body, algorithm or precision alone.
-// What says nothing of one of these stays as it is.
+// The bar over the chapters: charts, tables and the map then show only one scene, body, algorithm or precision.
+// An element that does not name the chosen field stays as it is.
 'use strict';
 const filterFields = ['scene', 'shape', 'algorithm', 'precision'];
 const filter = {};
 
-// A scene may be named without what tells it from its namesakes.
+// A scene may be named without the parameters that distinguish it from scenes of the same name.
 const isOf = (value, wanted) => value === wanted || wanted.startsWith(value + ' (');
 const keepsRow = row => filterFields.every(field => !filter[field] || row[field] === undefined || isOf(row[field], filter[field]));
 
-// What a row of a table says of the fields, from the titles of its columns.
+// Columns of a table that hold each field, by their titles.
 const fieldColumns = { scene: ['scene'], shape: ['shape'], algorithm: ['algorithm', 'algorithm or library'],
                        precision: ['table type', 'table', 'table type or precision', 'precision'] };
 const precisionIn = text => text.match(/(?:^|_)(f64|f32|mixed)(?= |$)/)?.[1];

@@ -1,5 +1,5 @@
-// The page without this script is complete in its statements; with it charts come alive when they are scrolled near,
-// long tables are made when they are opened, and the question can be changed. What is packed in the page is unpacked
+// The page without this script is complete in its statements; with it charts become interactive when they scroll into view,
+// long tables are made when they are opened, and the question can be changed. Packed data is unpacked
 // once, when it is first needed.
 'use strict';
 const packed = new Map();

@@ -1,4 +1,4 @@
-// Tables of any length: what is in sight is in the document, the rest is two empty rows as high as it would be.
+// Tables of any length: visible rows are in the document; two empty rows are as high as the rows before and after.
 // A grid is columns of cells; a cell is its text, or its text and why there is no value.
 'use strict';
 const rowHeight = 24, rowsInSight = 40;
@@ -69,7 +69,7 @@ class LongTable {
         this.draw();
     }
 
-    /// The rows with all these words, of those that the bar over the chapters lets through; without words the last ones.
+    /// The rows with all these words that the bar over the chapters keeps; without an argument, the words of the last search.
     search(words) {
         if (words !== undefined) this.words = words.toLowerCase().split(/\s+/).filter(Boolean);
         const rows = this.grid.cells[0]?.length ?? 0;

@@ -11,7 +11,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/number_option.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
-#include "edgewise/reports/records/compare_records.hpp"
+#include "edgewise/reports/records/machine_record.hpp"
 #include "edgewise/studies/gate/speed_record.hpp"
 
 namespace edgewise::cli {

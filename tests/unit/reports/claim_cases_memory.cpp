@@ -1,9 +1,41 @@
 // SPDX-License-Identifier: MIT
 //
-// Cases of the claims about tables' bytes, caches and paging.
+// What all cases share, and the cases of the claims about tables' bytes, caches and paging.
+#include <fmt/core.h>
+
 #include "claim_cases.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
+ReportCell make_cell(const MadeCell& made, const MadeFigures& figures) {
+    ReportCell cell = base_cell(made.scene, made.shape, made.algorithm, "");
+    cell.table = made.table;
+    cell.scene_parameters =
+        made.parameter.empty() ? "{}" : fmt::format(R"({{"{}":{}}})", made.parameter, made.x);
+    cell.figures = figures_of(figures);
+    return cell;
+}
+
+MadeFigures made_time(double ns) {
+    return {{"time.all_ns", ns}, {"time.all_ns_low", 0.98 * ns}, {"time.all_ns_high", 1.02 * ns}};
+}
+
+std::string made_shape(int vertices) {
+    if (vertices == 4) return "tetra4";
+    return vertices == 8 ? "cube8" : "sphere" + std::to_string(vertices);
+}
+
+void add_angular(ReportData& data, int vertices, const std::string& algorithm,
+                 const std::function<MadeFigures(int)>& figures) {
+    const std::string scene = fmt::format("paper_angular_{}", vertices);
+    int number = 0;
+    for (const double step : made_steps)
+        add_cell(data, {scene, made_shape(vertices), algorithm, "rotation_step", step}, figures(number++));
+}
+
+void add_angular_time(ReportData& data, int vertices, const std::string& algorithm, double ns) {
+    add_angular(data, vertices, algorithm, [ns](int) { return made_time(ns); });
+}
 
 namespace {
 

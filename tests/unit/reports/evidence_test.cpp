@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "edgewise/reports/paper/claims/claim_fits.hpp"
+#include "edgewise/reports/paper/claims/claim_cells.hpp"
 
 namespace edgewise::reports {
 namespace {

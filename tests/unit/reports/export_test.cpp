@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "csv_reader.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
 namespace {

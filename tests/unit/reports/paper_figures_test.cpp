@@ -2,7 +2,7 @@
 //
 // What comes with a figure of the paper: its points are those of the picture, its PDF is one, its text names
 // the commands of the store.
-#include "edgewise/reports/page/paper_figures.hpp"
+#include "edgewise/reports/page/pictures.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@
 #include "csv_reader.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
@@ -31,7 +31,7 @@ std::string figure_6_sql() {
 
 const Chart& figure_6(const std::vector<Chart>& charts) {
     for (const Chart& chart : charts)
-        if (chart.figure == 6) return chart;
+        if (chart.name == "figure_6") return chart;
     throw std::runtime_error("no figure 6");
 }
 
@@ -68,13 +68,13 @@ TEST_F(Report, TurnsThePapersPicturesIntoPdf) {
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"><path d="M0 0L40 30"/></svg>)";
     fs::create_directories(directory_ / "figures");
     write_file(directory_ / "figures/figure_6.svg", pictures.svg["figure_6"]);
-    const std::string note = write_paper_figures(data, charts, pictures, directory_);
+    const std::string note = write_cited_figures(data, charts, pictures, directory_);
     const auto version = measure::run_program({"env", "rsvg-convert", "--version"});
     if (version.value && version.value->exit_code == 0) {
         EXPECT_EQ(note, "");
         const std::string pdf = text("figures/figure_6.pdf");
         EXPECT_THAT(pdf, testing::StartsWith("%PDF-"));
-        EXPECT_EQ(write_paper_figures(data, charts, pictures, directory_), "");
+        EXPECT_EQ(write_cited_figures(data, charts, pictures, directory_), "");
         EXPECT_EQ(text("figures/figure_6.pdf"), pdf) << "the same store gives the same bytes";
         EXPECT_THAT(text("figures/figure_6.txt"), HasSubstr("rsvg-convert --format pdf"));
     } else {

@@ -3,9 +3,9 @@
 // Raw V-Clip in the chapter: beside the hardened cell of the same queries, and in no claim.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_tables.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The report's parts that need no store: intervals, numbers as text, and what the charts promise about their
 // marks.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <set>
@@ -19,6 +19,8 @@
 
 namespace edgewise::reports {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(MedianInterval, HoldsNinetyFivePercentByCounting) {
     // Oracle: count all 2^n ways the n values can fall below or above the median.
@@ -77,7 +79,7 @@ TEST(Charts, MarksAreCappedAndSaidSo) {
     EXPECT_LE(values.size(), 300u);
     EXPECT_GE(values.size(), 200u);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("of 1000 rows"), std::string::npos);
+    EXPECT_THAT(notes[0], HasSubstr("of 1000 rows"));
 }
 
 /// What is 0 everywhere is a sentence, not a column; what was not measured anywhere is neither.
@@ -104,11 +106,9 @@ TEST(TextGrid, ShowsMembersOfJson) {
               "b       0.0  - [1]  no     - [2]\n"
               "c     - [3]      -  -      -\n"
               "[1] no clock\n[2] z\n[3] no clock; buy one\n");
-    EXPECT_NE(grid_markdown(grid).find("| b | 0.0 | not measured (1) | no | not measured (2) |\n"),
-              std::string::npos)
+    EXPECT_THAT(grid_markdown(grid), HasSubstr("| b | 0.0 | not measured (1) | no | not measured (2) |\n"))
         << grid_markdown(grid);
-    EXPECT_NE(grid_html(grid).find("<td class=\"missing number\">not measured<sup>1</sup></td>"),
-              std::string::npos)
+    EXPECT_THAT(grid_html(grid), HasSubstr("<td class=\"missing number\">not measured<sup>1</sup></td>"))
         << grid_html(grid);
 }
 

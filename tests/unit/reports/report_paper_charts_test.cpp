@@ -9,7 +9,7 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {

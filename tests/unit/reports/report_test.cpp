@@ -5,7 +5,7 @@
 // page is viewed.
 #include "edgewise/reports/page/report.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <regex>
 
@@ -13,10 +13,14 @@
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/safe_svg.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 TEST_F(Report, SummaryCountsTheLatestBuildOnly) {
     const ReportSummary summary = write_report(make_store(), (directory_ / "out").string(), "");
@@ -26,10 +30,9 @@ TEST_F(Report, SummaryCountsTheLatestBuildOnly) {
     EXPECT_EQ(summary.unavailable, 1u);
     EXPECT_EQ(summary.build, "b2");
     EXPECT_FALSE(summary.charts);
-    EXPECT_EQ(text("out/results/static.csv").find(",old,"), std::string::npos);
-    EXPECT_NE(text("out/index.html").find("other builds in the store, not shown</td><td>b1<"),
-              std::string::npos);
-    EXPECT_NE(summary.answer.find("3 of 5 cells verified, 1 failed, 1 unavailable."), std::string::npos);
+    EXPECT_THAT(text("out/results/static.csv"), Not(HasSubstr(",old,")));
+    EXPECT_THAT(text("out/index.html"), HasSubstr("other builds in the store, not shown</td><td>b1<"));
+    EXPECT_THAT(summary.answer, HasSubstr("3 of 5 cells verified, 1 failed, 1 unavailable."));
 }
 
 /// Separated pairs alone have been timed: all pairs together are these.
@@ -60,8 +63,8 @@ TEST_F(Report, WhatWasNotMeasuredIsNeverANumber) {
         EXPECT_EQ(grid.rows[0][column].why, "no overlapping pair in this cell");
     }
     for (const std::string page : {"out/index.html", "out/report.md"})
-        EXPECT_NE(text(page).find("not measured"), std::string::npos) << page;
-    EXPECT_NE(text("out/index.html").find("no overlapping pair in this cell"), std::string::npos);
+        EXPECT_THAT(text(page), HasSubstr("not measured")) << page;
+    EXPECT_THAT(text("out/index.html"), HasSubstr("no overlapping pair in this cell"));
 }
 
 TEST_F(Report, ChartsLeaveOutWhatWasNotMeasuredAndSaySo) {
@@ -88,8 +91,7 @@ TEST_F(Report, FailedCellsStandBeforeTheChaptersWithTheirReasons) {
                gone = page.find("mesh unreadable");
     EXPECT_LT(failed, gone);
     EXPECT_LT(gone, page.find("id=\"fronts\""));
-    EXPECT_NE(page.find("<p class=\"verdict bad\">3 of 5 cells verified, 1 failed, 1 unavailable."),
-              std::string::npos);
+    EXPECT_THAT(page, HasSubstr("<p class=\"verdict bad\">3 of 5 cells verified, 1 failed, 1 unavailable."));
     const std::string markdown = text("out/report.md");
     EXPECT_LT(markdown.find("3 wrong verdicts"), markdown.find("## Method"));
 }
@@ -108,22 +110,22 @@ TEST_F(Report, WhatChangedIsTheFirstChapter) {
     const auto chapter = page.find("<h2 id=\"changes\">What changed since old&lt;1&gt;.db?</h2>");
     ASSERT_NE(chapter, std::string::npos);
     EXPECT_LT(chapter, page.find("<h2 id=\"fronts\">"));
-    EXPECT_NE(page.find("figures in both stores became worse, 0 better"), std::string::npos);
-    EXPECT_NE(page.find("<td>bytes.topology</td><td class=\"number\">40</td><td class=\"number\">41</td>"),
-              std::string::npos);
-    EXPECT_NE(markdown.find("| bytes.topology | 40 | 41 |"), std::string::npos);
+    EXPECT_THAT(page, HasSubstr("figures in both stores became worse, 0 better"));
+    EXPECT_THAT(page,
+                HasSubstr("<td>bytes.topology</td><td class=\"number\">40</td><td class=\"number\">41</td>"));
+    EXPECT_THAT(markdown, HasSubstr("| bytes.topology | 40 | 41 |"));
     (void)write_report(before, (directory_ / "out").string(), "");
-    EXPECT_EQ(text("out/index.html").find("id=\"changes\""), std::string::npos);
+    EXPECT_THAT(text("out/index.html"), Not(HasSubstr("id=\"changes\"")));
 }
 
 TEST_F(Report, FactsNameMachineBuildSeedPlanAndCounters) {
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     for (const std::string fact : {"Test CPU", "r2", "-O3", "quick", "18446744073709551615",
                                    "<td>cycles</td>", "<li>no PMU; bare metal</li>"})
-        EXPECT_NE(text("out/index.html").find(fact), std::string::npos) << fact;
+        EXPECT_THAT(text("out/index.html"), HasSubstr(fact)) << fact;
     for (const std::string fact : {"Test CPU", "r2", "-O3"})
-        EXPECT_NE(text("out/report.md").find(fact), std::string::npos) << fact;
-    EXPECT_NE(text("out/index.html").find("g++ &lt;12&gt;"), std::string::npos);
+        EXPECT_THAT(text("out/report.md"), HasSubstr(fact)) << fact;
+    EXPECT_THAT(text("out/index.html"), HasSubstr("g++ &lt;12&gt;"));
 }
 
 /// Bundles that only look like bundles: what is tested is how they are packed.
@@ -148,11 +150,11 @@ TEST_F(Report, PageFetchesNothingAndEscapesNames) {
     const std::string elements = page.substr(0, page.find("<script"));
     std::smatch found;
     EXPECT_FALSE(std::regex_search(elements, found, fetched)) << found.str();
-    EXPECT_NE(page.find("content=\"default-src 'none'; script-src 'sha256-"), std::string::npos);
-    EXPECT_EQ(page.find("script-src 'unsafe-inline'"), std::string::npos);
-    EXPECT_EQ(page.find("cow</script>"), std::string::npos);
-    EXPECT_NE(page.find("cow&lt;/script&gt;&lt;b&gt;&amp;&quot;"), std::string::npos);
-    EXPECT_EQ(page.find("sourceMappingURL"), std::string::npos);
+    EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; script-src 'sha256-"));
+    EXPECT_THAT(page, Not(HasSubstr("script-src 'unsafe-inline'")));
+    EXPECT_THAT(page, Not(HasSubstr("cow</script>")));
+    EXPECT_THAT(page, HasSubstr("cow&lt;/script&gt;&lt;b&gt;&amp;&quot;"));
+    EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
 }
 
 /// A store that somebody else wrote may hold anything under the key of a drawing.
@@ -161,7 +163,7 @@ TEST_F(Report, DrawingsThatCouldRunAreNotShown) {
     (void)write_report(make_store(store_sql() + "insert into meta values('drawing aos_f64','" + plain +
                                   "'),('drawing evil_f64','<svg><script>alert(1)</script></svg>');"),
                        (directory_ / "out").string(), "");
-    EXPECT_EQ(text("out/index.html").find("alert(1)"), std::string::npos);
+    EXPECT_THAT(text("out/index.html"), Not(HasSubstr("alert(1)")));
     EXPECT_TRUE(safe_svg(plain));
     for (const char* evil :
          {"<svg onload=\"alert(1)\"></svg>", "<svg><script>1</script></svg>", "<svg><foreignObject/></svg>",
@@ -192,10 +194,10 @@ TEST_F(Report, WithoutBundlesThePageSaysSoAndShowsTables) {
     EXPECT_FALSE(summary.charts);
     EXPECT_FALSE(summary.note.empty());
     const std::string page = text("out/index.html");
-    EXPECT_NE(page.find("The chart bundles were not available"), std::string::npos);
-    EXPECT_EQ(page.find("packed-bundle-vega\">"), std::string::npos);
-    EXPECT_NE(page.find("data-chart=\"bytes\""), std::string::npos);
-    EXPECT_NE(page.find("id=\"chart-bytes\""), std::string::npos);
+    EXPECT_THAT(page, HasSubstr("The chart bundles were not available"));
+    EXPECT_THAT(page, Not(HasSubstr("packed-bundle-vega\">")));
+    EXPECT_THAT(page, HasSubstr("data-chart=\"bytes\""));
+    EXPECT_THAT(page, HasSubstr("id=\"chart-bytes\""));
 }
 
 TEST_F(Report, TheSameStoreGivesTheSameBytes) {
@@ -208,18 +210,17 @@ TEST_F(Report, TheSameStoreGivesTheSameBytes) {
 }
 
 TEST_F(Report, BadStoresGiveOneClearLine) {
-    EXPECT_NE(failure((directory_ / "absent.db").string()).find("no results store at"), std::string::npos);
+    EXPECT_THAT(failure((directory_ / "absent.db").string()), HasSubstr("no results store at"));
     write_file(directory_ / "text.db",
                "this is no database, just a long enough line of text to be read as one\n");
-    EXPECT_NE(failure((directory_ / "text.db").string()).find("not an SQLite file"), std::string::npos);
+    EXPECT_THAT(failure((directory_ / "text.db").string()), HasSubstr("not an SQLite file"));
     const std::string empty = make_store(empty_store_sql());
-    EXPECT_NE(failure(empty).find("holds no cell"), std::string::npos);
+    EXPECT_THAT(failure(empty), HasSubstr("holds no cell"));
     fs::remove(directory_ / "store.db");
-    EXPECT_NE(failure(make_store("create table other(a);")).find("is not a results store"),
-              std::string::npos);
+    EXPECT_THAT(failure(make_store("create table other(a);")), HasSubstr("is not a results store"));
     fs::remove(directory_ / "store.db");
     const std::string newer = store_sql() + "pragma user_version = 999;";
-    EXPECT_NE(failure(make_store(newer)).find("schema version 999"), std::string::npos);
+    EXPECT_THAT(failure(make_store(newer)), HasSubstr("schema version 999"));
 }
 
 TEST_F(Report, BytesTableAsMarkdown) {
@@ -241,8 +242,7 @@ TEST_F(Report, RatioIntervalsComeFromTheRounds) {
     const ReportData data = read_report(make_store());
     const TextGrid grid = time_grid(data, "static", PairKind::Separated, "");
     ASSERT_FALSE(grid.rows.empty());
-    EXPECT_EQ(grid.rows[0][6].text, "1.000");
-    EXPECT_EQ(grid.rows[0][7].text, "1.000 to 1.006");
+    expect_texts(grid.rows[0], {{6, "1.000"}, {7, "1.000 to 1.006"}});
     for (const ReportCell& cell : data.cells)
         for (const measure::Round& round : cell.rounds)
             EXPECT_FALSE(round.ratio(&measure::Timing::overlapping));

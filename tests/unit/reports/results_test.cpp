@@ -12,7 +12,7 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
@@ -111,7 +111,7 @@ TEST(CsvRow, TextsAreNoFormulasAndComeBack) {
 }
 
 TEST(CsvRow, NumbersAreNotTouched) {
-    EXPECT_EQ(CsvRow().number(-1.5).number(std::nullopt).count(-3).seed(~0ull).number(5e-324).line(),
+    EXPECT_EQ(CsvRow().number(-1.5).number(std::nullopt).field(-3).field(~0ull).number(5e-324).line(),
               "-1.5,,-3,18446744073709551615,5e-324\r\n");
 }
 

@@ -6,9 +6,9 @@
 
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/paper/chapter/paper_thrash.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
-#include "paper_data.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -12,9 +12,8 @@
 #include <set>
 
 #include "answer_cells.hpp"
-#include "edgewise/reports/answer/break_even_text.hpp"
-#include "edgewise/reports/answer/coherence.hpp"
 #include "edgewise/reports/pictures/break_even_picture.hpp"
+#include "edgewise/reports/scene_label.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -18,7 +18,7 @@
 #include "answer_cells.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/page/chapters/break_even_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/store/store.hpp"

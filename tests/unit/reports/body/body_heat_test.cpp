@@ -6,7 +6,6 @@
 
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/body/body_picture.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {

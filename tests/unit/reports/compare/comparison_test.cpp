@@ -7,7 +7,8 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/page/chapters/compare_chapter.hpp"
+#include "../made_up_data.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 namespace {
@@ -43,13 +44,8 @@ void set_time(ReportCell& cell, double ratio) {
 }
 
 ReportCell cell(const std::string& table) {
-    ReportCell made;
-    made.scene = made.scene_label = "tumble";
-    made.shape = "cube8";
-    made.algorithm = "vclip";
-    made.table = table;
-    made.status = store::CellStatus::verified;
-    made.hash = table;
+    ReportCell made = base_cell("tumble", "cube8", "vclip", "aos");
+    made.table = made.hash = table;
     set(made, "error.mean_steps", 4);
     set(made, "lines.lines_per_query", 20);
     set(made, "bytes.total_bytes_per_edge", 100);
@@ -149,8 +145,7 @@ TEST(Comparison, AsAChapter) {
     const TextGrid& worse = chapter.blocks[0].grids[0];
     ASSERT_EQ(worse.rows.size(), 2U);
     EXPECT_EQ(worse.caption, "Worse");
-    EXPECT_EQ(worse.rows[0][0].text, "bytes.total_bytes_per_edge");
-    EXPECT_EQ(worse.rows[0][3].text, "1.500");
+    expect_texts(worse.rows[0], {{0, "bytes.total_bytes_per_edge"}, {3, "1.500"}});
     EXPECT_EQ(worse.rows[1][0].text, "time.all_ratio");
     EXPECT_EQ(chapter.blocks[1].grids[0].rows.size(), 1U);
     EXPECT_EQ(chapter.blocks[2].grids[0].rows.size(), 7U);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Made-up report data with scenes from files, by the names that the store uses.
+// Made-up report data, by the names that the store uses.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
@@ -16,7 +18,9 @@ namespace edgewise::reports {
 /// "time.all_ns" -> value.
 using MadeUp = std::map<std::string, double>;
 
-inline std::vector<store::FigureRow> figures_of(const MadeUp& values) {
+/// Rows of figures for pairs of "probe.name" and value.
+template <class Values = MadeUp>
+std::vector<store::FigureRow> figures_of(const Values& values) {
     std::vector<store::FigureRow> figures;
     for (const auto& [name, value] : values) {
         const std::size_t dot = name.find('.');
@@ -25,14 +29,25 @@ inline std::vector<store::FigureRow> figures_of(const MadeUp& values) {
     return figures;
 }
 
-inline ReportCell made_up_cell(const std::string& scene, const std::string& algorithm,
-                               const std::string& parameters, const MadeUp& values) {
+/// A cell of this layout in double precision, without figures; its vertices are the digits of the shape.
+inline ReportCell base_cell(const std::string& scene, const std::string& shape, const std::string& algorithm,
+                            const std::string& layout,
+                            store::CellStatus status = store::CellStatus::verified) {
     ReportCell cell;
     cell.scene = cell.scene_label = scene;
+    cell.shape = shape, cell.shape_source = "built-in";
+    const auto digit = shape.find_first_of("0123456789");
+    cell.vertices = digit == shape.npos ? 0 : std::stoi(shape.substr(digit));
+    cell.algorithm = algorithm, cell.layout = layout, cell.precision = "f64", cell.table = layout + "_f64";
+    cell.status = status;
+    return cell;
+}
+
+inline ReportCell made_up_cell(const std::string& scene, const std::string& algorithm,
+                               const std::string& parameters, const MadeUp& values) {
+    ReportCell cell = base_cell(scene, "sphere", algorithm, "aos");
     cell.scene_parameters = parameters;
-    cell.shape = "sphere", cell.shape_source = "built-in", cell.vertices = 8, cell.edges = 18;
-    cell.algorithm = algorithm, cell.layout = "aos", cell.precision = "f64", cell.table = "aos_f64";
-    cell.status = store::CellStatus::verified;
+    cell.vertices = 8, cell.edges = 18;
     cell.figures = figures_of(values);
     return cell;
 }
@@ -52,6 +67,11 @@ inline void add_both(ReportData& data, const std::string& scene, const std::stri
 inline MadeUp times(double ns) {
     return {{"time.all_ns", ns},          {"time.all_ns_low", ns * .9}, {"time.all_ns_high", ns * 1.1},
             {"time.all_ratio", ns / 100}, {"time.separated_ns", ns},    {"time.overlapping_ns", ns / 2}};
+}
+
+/// Expects these texts in a row of a table, by column.
+inline void expect_texts(const std::vector<GridCell>& row, const std::map<std::size_t, std::string>& wanted) {
+    for (const auto& [column, text] : wanted) EXPECT_EQ(row.at(column).text, text) << "column " << column;
 }
 
 /// Rows of a chart's data where `field` is `value`.

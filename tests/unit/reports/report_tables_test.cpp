@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// Speed against error from synthetic data: which cells stand beside each other, who is on a front, and what
-// table and chart say of those that are not drawn.
+// Tables and charts from synthetic data. Speed against error: which cells are compared, which are on a front,
+// and what table and chart say of cells that are not drawn. Other libraries: which, in which order, and what
+// ratios are to. The verdict on "up to five times": support queries on a line per vertex and on separate
+// arrays, of the same scene, shape, precision and start. And the seed curve: tables with seeds next to the
+// table without, where all queries start far from their answers.
 #include <gmock/gmock.h>
 
 #include <optional>
 #include <set>
+#include <string>
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/charts/error_axis.hpp"
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "made_up_data.hpp"
 
 namespace edgewise::reports {
 namespace {
@@ -21,13 +27,10 @@ using testing::HasSubstr;
 /// Of scene "cold" and cube8; theirs where `status` is "judged".
 ReportCell front_cell(store::CellStatus status, const std::string& name, double ns, std::optional<double> p50,
                       std::optional<double> p999, std::optional<double> worst, const std::string& axes = {}) {
-    ReportCell cell;
-    cell.hash = name + axes, cell.status = status;
-    cell.scene = cell.scene_label = "cold";
-    cell.shape = "cube8", cell.vertices = 8;
-    cell.algorithm = status == store::CellStatus::judged ? name : "gjk";
-    cell.layout = name, cell.precision = "f64", cell.axes = axes;
-    cell.table = name + "_f64" + (axes.empty() ? "" : " " + axes);
+    ReportCell cell =
+        base_cell("cold", "cube8", status == store::CellStatus::judged ? name : "gjk", name, status);
+    cell.hash = name + axes, cell.axes = axes;
+    if (!axes.empty()) cell.table += " " + axes;
     cell.figures = {{{"separated_ns", ns, "ns"}, "time"},
                     {{"p50_error_given", p50, "scale", "no distance"}, "error"},
                     {{"p999_error_given", p999, "scale", "too few"}, "error"},
@@ -158,7 +161,7 @@ TEST(SpeedError, ExactZerosStandOnALabelledFloor) {
             EXPECT_EQ(row["p50_drawn"], row["p50"]);
         }
     }
-    EXPECT_NE(chart.spec.dump().find("exactly 0"), std::string::npos);
+    EXPECT_THAT(chart.spec.dump(), HasSubstr("exactly 0"));
     EXPECT_THAT(chart.notes, testing::Contains(HasSubstr("1 of 5 points have a p50 error of exactly 0")));
 }
 
@@ -193,5 +196,156 @@ TEST(ErrorAxis, HasTicksInsideAndAFloorOnlyForZeros) {
     EXPECT_EQ(ErrorAxis({0}).ticks().size(), 1U);
 }
 
+/// Of three rounds; theirs where `status` is "judged". No error: it gives verdicts alone.
+ReportCell peer_cell(store::CellStatus status, const std::string& name, double ns,
+                     std::optional<double> error) {
+    ReportCell cell = base_cell("cold", "cube8", name, name, status);
+    if (status != store::CellStatus::judged) cell.table = "lean_f64";
+    cell.figures = {{{"separated_ns", ns, "ns"}, "time"},
+                    {{"worst_error_stored", error, "1", "no distance"}, "error"}};
+    for (int number = 0; number < 3; ++number) {
+        measure::Round round{number, {}, {}};
+        round.timing.separated_queries = 10;
+        round.timing.separated_ns = 10 * ns * (1 + number);  // the machine slows down: ratios do not
+        cell.rounds.push_back(round);
+    }
+    return cell;
+}
+
+ReportData peer_data() {
+    ReportData data;
+    data.cells = {peer_cell(store::CellStatus::verified, "vclip", 50, 1e-16),
+                  peer_cell(store::CellStatus::failed, "gjk", 10, 1)};
+    data.peers = {peer_cell(store::CellStatus::judged, "slow", 200, 1e-3),
+                  peer_cell(store::CellStatus::judged, "quick", 100, 1e-16),
+                  peer_cell(store::CellStatus::judged, "verdicts", 20, std::nullopt)};
+    return data;
+}
+
+TEST(PeerTables, StandFastestFirstWithRatiosToTheFastestThatGivesDistances) {
+    const TextGrid grid = peer_grid(peer_data(), "cold");
+    ASSERT_EQ(grid.rows.size(), 4U) << "a cell that failed was not timed";
+    const char* const names[] = {"verdicts", "vclip", "quick", "slow"};
+    const char* const ratios[] = {"0.20 (0.20 to 0.20)", "0.50 (0.50 to 0.50)", "1.00 (1.00 to 1.00)",
+                                  "2.00 (2.00 to 2.00)"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(grid.rows[i].size(), grid.columns.size());
+        EXPECT_EQ(grid.rows[i][2].text, names[i]);
+        EXPECT_EQ(grid.rows[i][5].text, ratios[i]);
+    }
+    EXPECT_THAT(grid.rows[0][6].why, HasSubstr("no distance"));
+    EXPECT_EQ(grid.rows[1][3].text, "lean_f64") << "ours with its table type";
+    EXPECT_EQ(grid.rows[2][3].text, "f64");
+}
+
+TEST(PeerTables, ShowBatchesAndNoOtherAxis) {
+    ReportData data = peer_data();
+    for (const char* axes : {"batch=yes", "gap_tolerance=0.01"}) {
+        data.cells.push_back(peer_cell(store::CellStatus::verified, "gjk", 25, 1e-16));
+        data.cells.back().axes = axes;
+        data.cells.back().table += std::string(" ") + axes;
+    }
+    const TextGrid grid = peer_grid(data, "cold");
+    ASSERT_EQ(grid.rows.size(), 5U);
+    expect_texts(grid.rows[1], {{3, "lean_f64 batch=yes"}, {5, "0.25 (0.25 to 0.25)"}});
+}
+
+TEST(PeerTables, ShowNoSceneOrShapeWithoutThem) {
+    ReportData data = peer_data();
+    EXPECT_TRUE(peer_grid(data, "tumble").rows.empty());
+    data.cells.front().shape = "sphere38";
+    data.cells.front().vertices = 38;
+    for (const auto& row : peer_grid(data, "cold").rows) EXPECT_EQ(row[0].text, "cube8");
+    data.peers.clear();
+    EXPECT_FALSE(has_peers(data));
+    EXPECT_TRUE(peer_grid(data, "cold").rows.empty());
+}
+
+TEST(PeerTables, WithVerdictsAloneThereIsNobodyToCompareWith) {
+    ReportData data = peer_data();
+    data.peers.erase(data.peers.begin(), data.peers.begin() + 2);
+    const TextGrid grid = peer_grid(data, "cold");
+    ASSERT_EQ(grid.rows.size(), 2U);
+    for (const auto& row : grid.rows) EXPECT_FALSE(row[5].why.empty());
+}
+
+void add_supports(ReportData& data, const std::string& layout, const std::string& shape, double cold,
+                  double warm, const std::string& axes = {}) {
+    ReportCell cell = base_cell("cold", shape, "gjk", layout);
+    cell.table += axes;
+    cell.figures = figures_of(MadeUp{{"support.query_ns.cold", cold}, {"support.query_ns.warm", warm}});
+    data.cells.push_back(cell);
+}
+
+TEST(SupportClaim, IsNotMeasuredWithoutBothLayouts) {
+    ReportData data;
+    add_supports(data, "line_per_vertex", "sphere386", 10, 10);
+    add_supports(data, "aos", "sphere38", 100, 100);
+    EXPECT_THAT(support_verdict(data), HasSubstr("not measured"));
+    EXPECT_TRUE(support_grid(data).rows.empty());
+}
+
+TEST(SupportClaim, HoldsFromFiveTimesOn) {
+    ReportData data;
+    add_supports(data, "line_per_vertex", "sphere386", 10, 10);
+    add_supports(data, "aos", "sphere386", 49, 8);
+    add_supports(data, "aos", "sphere386", 900, 900, " order=bfs");
+    EXPECT_EQ(support_grid(data).rows.size(), 2U);
+    EXPECT_THAT(support_verdict(data),
+                HasSubstr("not held; at most 4.90 times as fast (cold, sphere386, f64, cold start), "
+                          "and slower in 1 of 2 comparisons"))
+        << support_verdict(data);
+    add_supports(data, "line_per_vertex", "sphere38", 10, 10);
+    add_supports(data, "aos", "sphere38", 20, 50);
+    EXPECT_THAT(support_verdict(data), HasSubstr("Verdict: held; at most 5.00")) << support_verdict(data);
+}
+
+ReportCell seed_cell(const std::string& scene, const std::string& layout, double table_bytes, double steps) {
+    ReportCell cell = base_cell(scene, "sphere386", "vclip", layout);
+    cell.figures = figures_of(MadeUp{{"bytes.table_bytes", table_bytes}, {"error.mean_steps", steps}});
+    return cell;
+}
+
+TEST(SeedCurve, ComparesTablesThatDifferInSeedsAlone) {
+    ReportData data;
+    data.cells = {seed_cell("cold", "lean_seeds", 14826, 9),     seed_cell("cold", "lean", 14772, 50),
+                  seed_cell("cold", "lean_seeds1536", 17844, 4), seed_cell("cold", "aos", 1, 1),
+                  seed_cell("tumble", "lean", 14772, 3),         seed_cell("tumble", "lean_seeds", 14826, 3)};
+    const auto cells = seeded_cells(data);
+    ASSERT_EQ(cells.size(), 3U) << "tumble keeps close to its last answers";
+    EXPECT_EQ(cells[0].cell->layout, "lean");
+    EXPECT_EQ(cells[0].seed_bytes, 0);
+    EXPECT_EQ(cells[1].seed_bytes, 54);
+    EXPECT_EQ(cells[2].seed_bytes, 3072);
+    const TextGrid grid = seeds_grid(data);
+    ASSERT_EQ(grid.rows.size(), 3U);
+    EXPECT_EQ(grid.rows[0][4].text, "0");
+    EXPECT_EQ(grid.rows[1][6].text, "9.00");
+    for (ReportCell& cell : data.cells) cell.scene_parameters = R"({"random_orientation":1})";
+    EXPECT_EQ(seeded_cells(data).size(), 5U);
+}
+
+TEST(SeedCurve, NeedsATableWithoutSeeds) {
+    ReportData data;
+    data.cells = {seed_cell("cold", "lean_seeds", 14826, 9)};
+    EXPECT_TRUE(seeded_cells(data).empty());
+    EXPECT_TRUE(seeds_grid(data).rows.empty());
+    data.cells.push_back(seed_cell("cold", "lean", 14772, 50));
+    data.cells.back().status = store::CellStatus::failed;
+    EXPECT_TRUE(seeded_cells(data).empty());
+}
+
+TEST(SeedCurve, DrawsEachNumberThatWasMeasured) {
+    ReportData data;
+    data.cells = {seed_cell("cold", "lean_seeds", 14826, 9), seed_cell("cold", "lean", 14772, 50)};
+    const Chart chart = seeds_chart(data);
+    ASSERT_FALSE(chart.spec.is_null());
+    EXPECT_EQ(chart.points.size(), 2U);
+    EXPECT_EQ(chart.points[1]["seed_bytes"], 54);
+    EXPECT_EQ(chart.points[1]["value"], 9);
+    EXPECT_FALSE(chart.notes.empty()) << "times and lines are missing here";
+}
+
 }  // namespace
+
 }  // namespace edgewise::reports

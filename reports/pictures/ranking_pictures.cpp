@@ -1,18 +1,153 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/pictures/time_bytes.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "edgewise/reports/pictures/log_scale.hpp"
-#include "edgewise/reports/pictures/marks.hpp"
+#include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/pareto_front.hpp"
+#include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/text/report_text.hpp"
+#include "edgewise/store/palette.hpp"
 
 namespace edgewise::reports {
+
+namespace {
+
+constexpr double decades_with_all_ticks = 2.5;
+
+}  // namespace
+
+LogScale::LogScale(double low, double high, double first_pixel, double last_pixel)
+    : low_(low), high_(high), first_(first_pixel), last_(last_pixel) {
+    assert(low > 0 && low < high);
+}
+
+double LogScale::place(double value) const {
+    const double part = std::log(std::clamp(value, low_, high_) / low_) / std::log(high_ / low_);
+    return first_ + part * (last_ - first_);
+}
+
+std::vector<double> LogScale::ticks() const {
+    std::vector<double> all;
+    const bool wide = std::log10(high_ / low_) > decades_with_all_ticks;
+    for (int power = static_cast<int>(std::floor(std::log10(low_))); power <= std::log10(high_); ++power)
+        for (const double digit : {1.0, 2.0, 5.0}) {
+            const double tick = digit * std::pow(10.0, power);
+            if ((digit == 1 || !wide) && tick >= low_ && tick <= high_) all.push_back(tick);
+        }
+    return all;
+}
+
+namespace {
+
+std::string outline(const RankedCell& cell, double x, double y, double size) {
+    if (cell.cell->judged())
+        return fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", x - size, y - size, 2 * size, 2 * size,
+                           -2 * size);
+    if (cell.cell->algorithm == "gjk")
+        return fmt::format("M{:.1f} {:.1f}l{:.1f} {:.1f}h{:.1f}z", x, y - size, size, 1.8 * size, -2 * size);
+    return fmt::format("M{0:.1f} {1:.1f}a{2:.1f} {2:.1f} 0 1 0 {3:.1f} 0a{2:.1f} {2:.1f} 0 1 0 {4:.1f} 0z",
+                       x - size, y, size, 2 * size, -2 * size);
+}
+
+}  // namespace
+
+std::string mark_text(const RankedCell& cell) {
+    std::string text = fmt::format("{}: {}", cell.name(), ratio_text(cell));
+    if (cell.worst_error) append(text, "error " + number_text(*cell.worst_error, "scale"));
+    if (cell.bytes_per_edge) append(text, number_text(*cell.bytes_per_edge, "B/edge") + " bytes per edge");
+    return text;
+}
+
+std::string mark_svg(const RankedCell& cell, double x, double y, double size) {
+    const std::string_view colour = store::layout_colour(cell.cell->layout);
+    return fmt::format("<path d=\"{}\" {}><title>{}</title></path>", outline(cell, x, y, size),
+                       cell.meets_error()
+                           ? fmt::format("fill=\"{}\" fill-opacity=\".8\"", colour)
+                           : fmt::format("fill=\"none\" stroke=\"{}\" stroke-opacity=\".8\"", colour),
+                       html_text(mark_text(cell)));
+}
+
+namespace {
+
+constexpr double strip_width = 300, strip_height = 34, strip_margin = 8, mark_size = 4;
+constexpr double least_ratio = 0.25, most_ratio = 16;
+
+LogScale strip_scale(const StripAxis& axis) {
+    return {axis.low, axis.high, strip_margin, strip_width - strip_margin};
+}
+
+/// Half, one, two ...
+std::vector<double> octaves(const StripAxis& axis) {
+    std::vector<double> all;
+    for (double tick = least_ratio; tick <= axis.high; tick *= 2)
+        if (tick >= axis.low) all.push_back(tick);
+    return all;
+}
+
+std::string strip_line(double x1, double x2, double y1, double y2, const char* style) {
+    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"{}\"/>", x1, y1, x2, y2, style);
+}
+
+std::string strip_opening(const std::string& label) {
+    return fmt::format("<svg class=\"strip\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
+                       strip_width, strip_height, html_text(label));
+}
+
+std::string strip_label(const SceneRanking& scene) {
+    const RankedCell* choice = scene.choice();
+    const RankedCell &first = scene.cells.front(), &last = scene.cells.back();
+    std::string text = fmt::format("{} on an axis of time over the baseline's, from {:.2f} to {:.2f}",
+                                   plural(scene.cells.size(), "table type"), first.ratio, last.ratio);
+    return choice ? fmt::format("{}: {}. {}", choice->name(), ratio_text(*choice), text) : text;
+}
+
+}  // namespace
+
+StripAxis strip_axis(const std::vector<const SceneRanking*>& scenes) {
+    StripAxis axis;
+    for (const SceneRanking* scene : scenes) {
+        for (const RankedCell& one : scene->cells) {
+            axis.low = std::clamp(one.low() * 0.95, least_ratio, axis.low);
+            axis.high = std::clamp(one.high() * 1.05, axis.high, most_ratio);
+        }
+    }
+    return axis;
+}
+
+std::string strip_svg(const SceneRanking& scene, const StripAxis& axis) {
+    const LogScale x = strip_scale(axis);
+    std::string svg = strip_opening(strip_label(scene));
+    if (scene.own_variation.factor)
+        svg += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" class=\"noise\"/>",
+            x.place(scene.own_variation.low()),
+            std::max(1.0, x.place(scene.own_variation.high()) - x.place(scene.own_variation.low())),
+            strip_height);
+    for (const double tick : octaves(axis))
+        svg += strip_line(x.place(tick), x.place(tick), 0, strip_height, tick == 1 ? "one" : "grid");
+    // The winner last, so that nothing covers it.
+    for (auto one = scene.cells.rbegin(); one != scene.cells.rend(); ++one)
+        svg += mark_svg(*one, x.place(one->ratio), one->cell->algorithm == "gjk" ? 22 : 11, mark_size);
+    if (const RankedCell* choice = scene.choice())
+        svg += strip_line(x.place(choice->low()), x.place(choice->high()), strip_height - 3, strip_height - 3,
+                          "interval");
+    return svg + "</svg>";
+}
+
+std::string strip_head_svg(const StripAxis& axis) {
+    const LogScale x = strip_scale(axis);
+    std::string svg =
+        fmt::format("<svg class=\"strip\" viewBox=\"0 0 {} 14\" aria-hidden=\"true\">", strip_width);
+    for (const double tick : octaves(axis))
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"11\" text-anchor=\"middle\">{:g}</text>", x.place(tick),
+                           tick);
+    return svg + "</svg>";
+}
 
 namespace {
 
@@ -114,7 +249,7 @@ std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene) {
     std::vector<std::size_t> front;
     for (std::size_t i = 0; i < within.size(); ++i)
         if (on_front[i]) front.push_back(within[i]);
-    std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::sort(front, [&](std::size_t a, std::size_t b) {
         return *scene.cells[a].bytes_per_edge < *scene.cells[b].bytes_per_edge;
     });
     return front;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// Pictures of ranked cells, drawn by hand, and what they share: marks and a logarithmic axis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edgewise/reports/answer/ranking.hpp"
+
+namespace edgewise::reports {
+
+/// Values outside the ends are drawn at the ends.
+class LogScale {
+  public:
+    /// 0 < low < high; pixels may run downwards.
+    LogScale(double low, double high, double first_pixel, double last_pixel);
+
+    [[nodiscard]] double place(double value) const;
+    /// 1, 2 and 5 times powers of ten within the ends; of a wide axis powers of ten alone.
+    [[nodiscard]] std::vector<double> ticks() const;
+
+  private:
+    double low_, high_, first_, last_;
+};
+
+/// With its name, ratio and error as a tooltip.
+[[nodiscard]] std::string mark_svg(const RankedCell& cell, double x, double y, double size);
+
+/// "V-Clip on aos_f64: 1.05 [1.01, 1.15], error 2.2e-16, 234 bytes per edge"
+[[nodiscard]] std::string mark_text(const RankedCell& cell);
+
+/// The axis that all strips of a table share.
+struct StripAxis {
+    double low = 0.5, high = 8;
+};
+/// Wide enough for every ranked cell, within a quarter and sixteen times.
+[[nodiscard]] StripAxis strip_axis(const std::vector<const SceneRanking*>& scenes);
+
+[[nodiscard]] std::string strip_svg(const SceneRanking& scene, const StripAxis& axis);
+/// The axis's numbers, for the table's head.
+[[nodiscard]] std::string strip_head_svg(const StripAxis& axis);
+
+/// Indices of cells that no other within the error beats in both, fewest bytes first.
+[[nodiscard]] std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene);
+
+/// A picture of the page as a file of its own, black on white.
+[[nodiscard]] std::string standalone(const std::string& svg);
+
+[[nodiscard]] std::string time_bytes_svg(const SceneRanking& scene);
+
+}  // namespace edgewise::reports
