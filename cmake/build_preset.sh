@@ -3,7 +3,8 @@
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
 # In the environment: EDGEWISE_LAYOUTS, these layouts only ("distinct": those that differ widely; "" all);
-# EDGEWISE_PEERS=ON, with adapters of other libraries; EDGEWISE_PEER_FOLDERS, the folders of those without a package.
+# EDGEWISE_FULL_TESTS=ON, with the tests that only tests/run full has; EDGEWISE_PEERS=ON, with adapters of other libraries;
+# EDGEWISE_PEER_FOLDERS, the folders of those without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu
@@ -23,7 +24,9 @@ set_peers=
 [ -z "${EDGEWISE_PEERS+set}" ] || set_peers=-DEDGEWISE_PEERS=$EDGEWISE_PEERS
 set_folders=
 [ -z "${EDGEWISE_PEER_FOLDERS+set}" ] || set_folders=-DEDGEWISE_PEER_FOLDERS=$EDGEWISE_PEER_FOLDERS
-if ! cmake -S "$root" --preset "$preset" ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
+set_full=
+[ -z "${EDGEWISE_FULL_TESTS+set}" ] || set_full=-DEDGEWISE_FULL_TESTS=$EDGEWISE_FULL_TESTS
+if ! cmake -S "$root" --preset "$preset" ${set_full:+"$set_full"} ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
     ${set_folders:+"$set_folders"} >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"

@@ -4,6 +4,7 @@
 option(EDGEWISE_TOOL "Build the profiling tool (else only the library)" ON)
 option(EDGEWISE_MEASURE "Build edgewise::measure without the tool too" OFF)
 option(EDGEWISE_TESTS "Build the tests" ON)
+option(EDGEWISE_FULL_TESTS "Test of every header, not only of those that changed, that it compiles alone" OFF)
 option(EDGEWISE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 option(EDGEWISE_UNITY "Compile the tool's sources some at a time as one: a third of the time" ON)
 option(EDGEWISE_PEERS "Build adapters of other libraries that are found, to measure these libraries too" OFF)

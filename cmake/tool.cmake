@@ -5,12 +5,20 @@ edgewise_write_registry()
 
 set(build_info ${PROJECT_BINARY_DIR}/registry/build_info.cpp)
 string(TOUPPER ${CMAKE_BUILD_TYPE} type)
-add_custom_target(edgewise_build_info BYPRODUCTS ${build_info}
-    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TEMPLATE=${PROJECT_SOURCE_DIR}/cmake/build_info.cpp.in
-            -D OUTPUT=${build_info} -D "COMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
-            -D "FLAGS=${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off -fno-tree-slp-vectorize"
-            -D BUILD_TYPE=${CMAKE_BUILD_TYPE} -D VERSION=${PROJECT_VERSION} -D CHARTS=${EDGEWISE_CHARTS_DIR}
-            -P ${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake)
+set(COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+set(FLAGS "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} -ffp-contract=off -fno-tree-slp-vectorize")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/build_info.cpp.in ${build_info} @ONLY)
+
+# The revision is a source of the program. Tests have the library's own answer, so that a commit alone links none of them
+# again and tests/run sees that they are unchanged.
+set(revision ${PROJECT_BINARY_DIR}/registry/revision.cpp)
+set(no_revision ${PROJECT_BINARY_DIR}/registry/no_revision.cpp)
+add_custom_target(edgewise_revision BYPRODUCTS ${revision}
+    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TEMPLATE=${PROJECT_SOURCE_DIR}/cmake/revision.cpp.in
+            -D OUTPUT=${revision} -P ${PROJECT_SOURCE_DIR}/cmake/write_revision.cmake)
+set(REVISION "none: not the program, but a test")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/revision.cpp.in ${no_revision} @ONLY)
+set_source_files_properties(${revision} ${no_revision} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 
 set(store_schema ${PROJECT_SOURCE_DIR}/src/edgewise/store/schema.sql)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${store_schema})
@@ -57,10 +65,9 @@ if(EDGEWISE_TUNE)
         COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
 add_library(edgewise_core STATIC ${steering}
-    ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info}
+    ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${no_revision}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
-add_dependencies(edgewise_core edgewise_build_info)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
@@ -141,7 +148,8 @@ else()
 endif()
 
 edgewise_sources(cli_sources src/edgewise/cli)
-add_library(edgewise_cli OBJECT ${cli_sources})
+add_library(edgewise_cli OBJECT ${cli_sources} ${revision})
+add_dependencies(edgewise_cli edgewise_revision)
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # Templates of the parser of options: they need not be fast, and take three times as long to compile with optimisation.
 target_compile_options(edgewise_cli PRIVATE -O0)

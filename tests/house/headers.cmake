@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Every header compiles alone, and twice. Each header has one unit, which the test builds. Units of headers that include
-# Eigen, directly or through others, have it precompiled.
+# Every header compiles alone, and twice. One unit a header, built by the test: those that changed since the revision at
+# which this test last passed here, or in the last commits of a fresh clone, and those that include them. With
+# EDGEWISE_FULL_TESTS all of them. Headers that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 # Adapters need the libraries that they adapt; their modules compile them.
@@ -18,36 +19,20 @@ file(CONFIGURE OUTPUT ${folder}/eigen.hpp CONTENT "#include <Eigen/Core>\n")
 add_custom_command(OUTPUT ${folder}/eigen.hpp.gch DEPENDS ${folder}/eigen.hpp
     COMMAND ${check} -x c++-header ${folder}/eigen.hpp -o ${folder}/eigen.hpp.gch VERBATIM)
 
+include(${CMAKE_CURRENT_SOURCE_DIR}/include_graph.cmake)
+edgewise_include_graph(${PROJECT_SOURCE_DIR} "${headers}")
+edgewise_includers("Eigen/Core;Eigen/Dense" with_eigen)
+
+set(units)
 foreach(header IN LISTS headers)
+    edgewise_header_name(${header} name)
     file(STRINGS ${PROJECT_SOURCE_DIR}/${header} once REGEX "^#pragma once$")
     if(once STREQUAL "")
         message(FATAL_ERROR "house: ${header} lacks #pragma once")
     endif()
-    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} includes_${header} REGEX "^#include [<\"](Eigen|edgewise)/")
-    list(TRANSFORM includes_${header} REPLACE "^#include .([^>\"]*).*" "\\1")
-endforeach()
-
-set(with_eigen Eigen/Core Eigen/Dense)  # names as they are included; each pass adds headers that include one of them
-set(grows TRUE)
-while(grows)
-    set(grows FALSE)
-    foreach(header IN LISTS headers)
-        string(REPLACE edgewise/src/ "" name edgewise/${header})
-        foreach(included IN LISTS includes_${header})
-            if(included IN_LIST with_eigen AND NOT name IN_LIST with_eigen)
-                list(APPEND with_eigen ${name})
-                set(grows TRUE)
-            endif()
-        endforeach()
-    endforeach()
-endwhile()
-
-set(units)
-foreach(header IN LISTS headers)
-    string(REPLACE edgewise/src/ "" name edgewise/${header})
     string(REPLACE / _ unit ${name})
     set(unit ${folder}/${unit})
-    file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"${name}\"\n#include \"${name}\"\n")
+    file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"edgewise/${name}\"\n#include \"edgewise/${name}\"\n")
     set(precompiled)
     if(name IN_LIST with_eigen)
         set(precompiled -include ${folder}/eigen.hpp)
@@ -58,6 +43,9 @@ foreach(header IN LISTS headers)
     list(APPEND units ${unit}.o)
 endforeach()
 add_custom_target(house_headers DEPENDS ${units})
+list(JOIN headers "\n" headers)
+file(CONFIGURE OUTPUT ${folder}/headers.txt CONTENT "${headers}\n")
 add_test(NAME house.headers_compile_alone
-    COMMAND ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --parallel 2 --target house_headers)
+    COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D FOLDER=${folder}
+            -D ALL=${EDGEWISE_FULL_TESTS} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_headers.cmake)
 set_tests_properties(house.headers_compile_alone PROPERTIES TIMEOUT 900 PROCESSORS 2 RESOURCE_LOCK build_folder)

@@ -10,6 +10,9 @@ namespace edgewise::bench {
 /// Revision, compiler and flags are fixed at build time; the machine is read now.
 [[nodiscard]] store::BuildRow this_build();
 
+/// Revision of the sources, with a hash of what is not committed; a test program has none.
+[[nodiscard]] const char* git_revision();
+
 /// Version of the project, as "0.1.0".
 [[nodiscard]] const char* project_version();
 
