@@ -175,7 +175,7 @@ if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(PEERS_FOLDER sim_peers)
     edgewise_tool_for(edgewise_sim_tool ${EDGEWISE_SIM_TUNE} ${sim_types})
     unset(PEERS_FOLDER)
-    # Which source each instruction comes from (edgewise effort --by-phase); the instructions stay the same.
+    # Which source each instruction comes from (edgewise bench effort --by-phase); the instructions stay the same.
     target_compile_options(edgewise_sim_tool_table_types PRIVATE -g1)
     add_executable(edgewise_sim EXCLUDE_FROM_ALL)
     set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -26,7 +26,7 @@ namespace edgewise::cli {
 namespace {
 
 using OnCells = std::function<void(std::size_t cells)>;
-/// What a part is told to call when a row of it is done.
+/// A part calls this when one of its rows is done.
 using OnRow = std::function<void(const std::string& what)>;
 
 struct Part {
@@ -169,7 +169,7 @@ void store_seconds(const Part& part, double seconds, store::Store& store) {
     if (part.name != stability_part_name) store.set_meta(store::took_key + part.name, took);
 }
 
-/// Whether it came to its end. Rows that are there already are counted as resumed.
+/// Returns true if it came to its end. Rows that are already stored count as resumed.
 bool run_part(const Part& part, store::Store& store, sweep::TimeLeft& left, Progress& progress) {
     const measure::Stopwatch watch;
     measure::Stopwatch lap;
