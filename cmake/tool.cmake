@@ -180,7 +180,7 @@ if(NOT EDGEWISE_SANITIZE AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(PEERS_FOLDER sim_peers)
     edgewise_tool_for(edgewise_sim_tool ${EDGEWISE_SIM_TUNE} ${sim_types})
     unset(PEERS_FOLDER)
-    # Line tables for `edgewise effort --by-phase`; they do not change the instructions.
+    # Line tables for `edgewise bench effort --by-phase`; they do not change the instructions.
     target_compile_options(edgewise_sim_tool_table_types PRIVATE -g1)
     add_executable(edgewise_sim EXCLUDE_FROM_ALL)
     set_target_properties(edgewise_sim PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

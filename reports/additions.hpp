@@ -20,15 +20,14 @@ struct Addition {
     /// Returns the chapters that follow the one on hard cases. `charts`: all charts of the report.
     std::vector<Chapter> (*chapters)(const ReportData& data, const std::vector<Chart>& charts);
 
-    const char *command, *command_does;  ///< a command that reads a store, and its line in --help
-    /// Returns the output of the command.
-    std::string (*command_text)(const ReportData& data, bool json);
+    /// Returns the output of `edgewise report claims`.
+    std::string (*claims_text)(const ReportData& data, bool json);
     /// Returns the figures that the command compares between two stores, with --diff.
-    measure::FigureRecord (*command_record)(const ReportData& data);
+    measure::FigureRecord (*claims_record)(const ReportData& data);
 
-    const char* bytes_key;  ///< the key of this addition in the output of `edgewise bytes --json`
-    nlohmann::json (*bytes_json)();
-    std::string (*bytes_text)();  ///< the same numbers as text, printed below the tables
+    /// Returns the member `decompositions` in the output of `edgewise bytes --json`.
+    nlohmann::json (*decompositions)();
+    std::string (*decompositions_text)();  ///< the same numbers as text, printed below the tables
 };
 
 /// Returns all additions in the order of CMake's lists; generated.

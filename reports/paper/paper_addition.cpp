@@ -39,13 +39,10 @@ Addition paper_addition();
 Addition paper_addition() {
     return {.charts = chapter_charts,
             .chapters = paper_chapters,
-            .command = "claims",
-            .command_does = "The paper's claims, each with a verdict from a store",
-            .command_text = claims_text,
-            .command_record = claims_record,
-            .bytes_key = "decompositions",
-            .bytes_json = decompositions,
-            .bytes_text = decompositions_text};
+            .claims_text = claims_text,
+            .claims_record = claims_record,
+            .decompositions = decompositions,
+            .decompositions_text = decompositions_text};
 }
 
 }  // namespace edgewise::reports

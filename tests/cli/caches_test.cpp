@@ -79,7 +79,8 @@ TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
 
 TEST(Heat, SaysWhatWasTouched) {
     const Folder folder;
-    const Arguments cell = {"heat", "--shape", "sphere38", "--queries", "100", "--parameter", "bodies=2"};
+    const Arguments cell = {"draw",      "heat", "--shape",     "sphere38",
+                            "--queries", "100",  "--parameter", "bodies=2"};
     Arguments in_json = cell;
     in_json.emplace_back("--json");
     const json heat = json::parse(run(in_json, folder).out);
@@ -89,15 +90,17 @@ TEST(Heat, SaysWhatWasTouched) {
     EXPECT_NEAR(heat["touched_parts"]["vertices"].get<double>(), static_cast<double>(vertices) / 38, 1e-12);
     EXPECT_LE(heat["touched_bytes"], heat["table_bytes"]);
     Arguments picture = cell;
-    picture.emplace_back("--svg");
-    EXPECT_THAT(run(picture, folder).out, testing::AllOf(testing::StartsWith("<svg"), HasSubstr("</svg>")));
-    EXPECT_THAT(run(cell, folder).out, HasSubstr("voronoi_plane"));
+    picture.insert(picture.end(), {"--svg", "heat.svg"});
+    EXPECT_THAT(run(picture, folder).out, HasSubstr("voronoi_plane"));
+    EXPECT_THAT(text_of(folder / "heat.svg"),
+                testing::AllOf(testing::StartsWith("<svg"), HasSubstr("</svg>")));
 }
 
 TEST(Bench, PrintsTheModelsSpeed) {
     const Folder folder;
     const Outcome outcome =
-        run({"bench", "--json", "--shape", "sphere38", "--queries", "200", "--repetitions", "1"}, folder);
+        run({"bench", "model", "--json", "--shape", "sphere38", "--queries", "200", "--repetitions", "1"},
+            folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json rows = json::parse(outcome.out)["bench"];
     EXPECT_EQ(rows.size(), 9U);
@@ -106,7 +109,8 @@ TEST(Bench, PrintsTheModelsSpeed) {
 
 TEST(Calibrate, SaysWhatItModelledAndCountedOrWhyNot) {
     const Folder folder;
-    const Outcome outcome = run({"calibrate", "--json", "--times", "0.5,2", "--loads", "20000"}, folder);
+    const Outcome outcome =
+        run({"bench", "calibrate", "--json", "--times", "0.5,2", "--loads", "20000"}, folder);
     if (outcome.exit_code == 2) {
         EXPECT_THAT(outcome.err, HasSubstr("caches are not known"));
         GTEST_SKIP() << outcome.err;
@@ -156,8 +160,8 @@ TEST(Paging, MeasuresFaultsAndPredictsThem) {
 
 TEST(Crosscheck, SaysWhatItComparedOrWhyNot) {
     const Folder folder;
-    const Outcome outcome = run({"crosscheck", "--json", "--shape", "cube8", "--queries", "50", "--machines",
-                                 "zen5,pentium3_coppermine"},
+    const Outcome outcome = run({"bench", "crosscheck", "--json", "--shape", "cube8", "--queries", "50",
+                                 "--machines", "zen5,pentium3_coppermine"},
                                 folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json result = json::parse(outcome.out);

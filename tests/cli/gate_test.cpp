@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise bench --gate`: a baseline is written and compared with, and what it names. No test here depends
+// `edgewise bench gate`: a baseline is written and compared with, and what it names. No test here depends
 // on how long anything takes: slacks are huge, and a slower entry has a baseline that was made tiny.
 #include <gmock/gmock.h>
 
@@ -14,8 +14,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const Arguments gate_arguments = {"bench",     "--gate", "b.json",    "--rounds", "6",
-                                  "--queries", "200",    "--layouts", "lean_f64"};
+const Arguments gate_arguments = {"bench",     "gate", "b.json",    "--rounds", "6",
+                                  "--queries", "200",  "--layouts", "lean_f64"};
 
 Arguments gate_with(const Arguments& more) {
     Arguments all = gate_arguments;
@@ -79,10 +79,10 @@ TEST(BenchGate, BadInputIsOneLine) {
         EXPECT_THAT(outcome.err, HasSubstr(more.front()));
         EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
     }
-    outcome = run({"bench", "--write"}, folder);
+    outcome = run({"bench", "gate", "--write"}, folder);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("--gate"));
-    outcome = run({"bench", "--gate", "none.json"}, folder);
+    EXPECT_THAT(outcome.err, HasSubstr("file"));
+    outcome = run({"bench", "gate", "none.json"}, folder);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, HasSubstr("none.json"));
 }

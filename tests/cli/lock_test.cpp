@@ -60,7 +60,7 @@ TEST(Lock, HasTheFiguresOfOtherCommands) {
     EXPECT_EQ(sum, row["table_bytes"].get<double>());
     EXPECT_EQ(figures["bytes.object"].get<double>(), row["object_bytes"].get<double>());
     const json heat = json_of_run(
-        {"heat", "--table", "lean_f32", "--shape", "sphere38", "--queries", "200", "--json"}, folder);
+        {"draw", "heat", "--table", "lean_f32", "--shape", "sphere38", "--queries", "200", "--json"}, folder);
     EXPECT_EQ(figures["queries.cold"], heat["queries_by_start"]["cold"]);
     EXPECT_EQ(figures["queries.warm"], heat["queries_by_start"]["warm"]);
     EXPECT_GT(figures["lines_per_query.cold"], figures["lines_per_query.warm"]);

@@ -23,8 +23,8 @@ TEST(Memory, ThatTablesLackIsOneLine) {
     folder.write("crowd.json", R"({"scene": "pressure", "shapes": ["sphere386"], "sharing": "per_instance",
                                    "parameters": {"bodies": 5000}, "queries": 200})");
     for (const Arguments& words :
-         {Arguments{"bench", "--scene", "pressure", "--shape", "sphere386", "--queries", "100", "--parameter",
-                    "bodies=5000", "own_tables=1"},
+         {Arguments{"bench", "model", "--scene", "pressure", "--shape", "sphere386", "--queries", "100",
+                    "--parameter", "bodies=5000", "own_tables=1"},
           Arguments{"sweep", "--scenes", "crowd.json", "--layouts", "aos_f64", "--checked", "10", "--rounds",
                     "2", "--store", "s.db", "--json"}}) {
         const Outcome outcome = run_within(300'000, words, folder);
@@ -39,7 +39,7 @@ TEST(Memory, ThatTablesLackIsOneLine) {
 TEST(Memory, ThatQueriesLackIsOneLine) {
     const Folder folder;
     const Outcome outcome =
-        run_within(1'000'000, {"bench", "--shape", "cube8", "--queries", "100000000"}, folder);
+        run_within(1'000'000, {"bench", "model", "--shape", "cube8", "--queries", "100000000"}, folder);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;

@@ -97,20 +97,41 @@ Outcome run_in_shell(const std::string& script, const Arguments& arguments, cons
     return Process("/bin/sh", words, folder).wait();
 }
 
-std::vector<std::string> listed_commands(const Folder& folder) {
-    std::vector<std::string> names;
+namespace {
+
+/// Adds the commands that the --help of this one lists: each is at the start of a line, after two blanks.
+void add_listed(const std::string& command, const Folder& folder, std::vector<std::string>& to) {
+    const std::string help = run(called(command, {"--help"}), folder).out;
+    if (!command.empty() && help.find("] SUBCOMMAND") == help.npos) to.push_back(command);
     bool below = false;
-    for (const std::string& line : lines_of(run({"--help"}, folder).out)) {
+    for (const std::string& line : lines_of(help)) {
+        if (line.empty()) below = false;
         if (below && line.starts_with("  ") && line.size() > 2 && line[2] != ' ')
-            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+            add_listed(command + (command.empty() ? "" : " ") + line.substr(2, line.find(' ', 2) - 2), folder,
+                       to);
         below = below || line.starts_with("Subcommands");
     }
-    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> listed_commands(const Folder& folder) {
+    std::vector<std::string> commands;
+    add_listed("", folder, commands);
+    return commands;
+}
+
+Arguments called(const std::string& command, const Arguments& more) {
+    Arguments words;
+    std::istringstream text(command);
+    for (std::string word; text >> word;) words.push_back(word);
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
 }
 
 std::vector<ListedOption> listed_options(const std::string& command, const Folder& folder) {
     std::vector<ListedOption> options;
-    for (const std::string& line : lines_of(run({command, "--help"}, folder).out)) {
+    for (const std::string& line : lines_of(run(called(command, {"--help"}), folder).out)) {
         if (!line.starts_with("  -")) continue;
         std::istringstream words(line);
         ListedOption option;

@@ -65,8 +65,11 @@ class Process {
 [[nodiscard]] Outcome run_in_shell(const std::string& script, const Arguments& arguments,
                                    const Folder& folder);
 
-/// Names of the commands that --help lists: each is at the start of a line, after two blanks.
+/// Commands that --help lists, also those nested in others, by the words that call them: "advise budget". A
+/// command that only groups others is left out.
 [[nodiscard]] std::vector<std::string> listed_commands(const Folder& folder);
+/// The command line that calls such a command with further words.
+[[nodiscard]] Arguments called(const std::string& command, const Arguments& more);
 
 /// An option of a command as its --help shows it, such as "--margin" and "NUMBER".
 struct ListedOption {

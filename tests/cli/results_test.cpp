@@ -109,15 +109,15 @@ TEST(Claims, AreComparedBetweenStores) {
     poorer.insert(poorer.end(), {"--algorithms", "gjk"});
     ASSERT_EQ(run(poorer, folder).exit_code, 0);
 
-    const Outcome same = run({"claims", "s.db", "--diff", "s.db"}, folder);
+    const Outcome same = run({"report", "claims", "s.db", "--diff", "s.db"}, folder);
     EXPECT_EQ(same.exit_code, 0) << same.err;
     EXPECT_THAT(same.out, HasSubstr("s.db: passed; "));
-    const Outcome differs = run({"claims", "s.db", "--diff", "t.db", "--json"}, folder);
+    const Outcome differs = run({"report", "claims", "s.db", "--diff", "t.db", "--json"}, folder);
     EXPECT_EQ(differs.exit_code, 1) << differs.err;
     const json found = json::parse(differs.out);
     const auto verdicts = [&](const char* store) {
         std::map<std::string, std::string> all;
-        const json judged = json::parse(run({"claims", store, "--json"}, folder).out);
+        const json judged = json::parse(run({"report", "claims", store, "--json"}, folder).out);
         for (const json& claim : judged.at("claims")) all[claim["id"]] = claim["verdict"];
         return all;
     };
@@ -131,7 +131,7 @@ TEST(Claims, AreComparedBetweenStores) {
         EXPECT_EQ(row["was"], first.at(row["cell"]));
         EXPECT_EQ(row["is"], second.at(row["cell"]));
     }
-    const Outcome bad = run({"claims", "s.db", "--diff", "missing.db"}, folder);
+    const Outcome bad = run({"report", "claims", "s.db", "--diff", "missing.db"}, folder);
     EXPECT_EQ(bad.exit_code, 2);
     EXPECT_EQ(bad.out, "");
     EXPECT_EQ(lines_of(bad.err).size(), 1u) << bad.err;

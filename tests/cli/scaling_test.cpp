@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise scaling`: a row for each number of threads, the same in JSON, and one line where it is asked for
-// what cannot be measured or answers are wrong.
+// `edgewise bench scaling`: a row for each number of threads, the same in JSON, and one line where it is
+// asked for what cannot be measured or answers are wrong.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -16,9 +16,9 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-const Arguments short_scaling = {"scaling",   "--shape", "cube8",    "--parameter", "bodies=100",
-                                 "--queries", "500",     "--rounds", "2",           "--checked",
-                                 "10",        "--table", "aos_f64"};
+const Arguments short_scaling = {"bench",      "scaling",   "--shape", "cube8",    "--parameter",
+                                 "bodies=100", "--queries", "500",     "--rounds", "2",
+                                 "--checked",  "10",        "--table", "aos_f64"};
 
 Outcome scaling(Arguments more, const Folder& folder) {
     Arguments arguments = short_scaling;
@@ -68,8 +68,8 @@ TEST(Scaling, PrintsATable) {
 TEST(Scaling, OfAWrongLayoutIsNotMeasured) {
     const Folder folder;
     const Outcome outcome = Process(crooked_program_path,
-                                    {"scaling", "--table", "crooked_f64", "--algorithm", "gjk", "--shape",
-                                     "cube8", "--queries", "300", "--json"},
+                                    {"bench", "scaling", "--table", "crooked_f64", "--algorithm", "gjk",
+                                     "--shape", "cube8", "--queries", "300", "--json"},
                                     folder)
                                 .wait();
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise sweep`, `edgewise report` and `edgewise claims` on plans of a second: what they print, leave
-// behind and end with.
+// `edgewise sweep`, `edgewise report` and `edgewise report claims` on plans of a second: what they print,
+// leave behind and end with.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -74,7 +74,7 @@ TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
     EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
     EXPECT_THAT(csv, HasSubstr("aos_f64 needs=nearer+margin=1"));
     const Outcome bench =
-        run({"bench", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
+        run({"bench", "model", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
     EXPECT_EQ(bench.exit_code, 0) << bench.err;
 }
 
@@ -171,7 +171,7 @@ TEST(Report, IsWrittenAnewFromAStore) {
 TEST(Claims, AreJudgedFromAnyStore) {
     const Folder folder;
     ASSERT_EQ(run(with(tiny, {"--store", "s.db"}), folder).exit_code, 0);
-    const Outcome outcome = run({"claims", "s.db", "--json"}, folder);
+    const Outcome outcome = run({"report", "claims", "s.db", "--json"}, folder);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const json all = json::parse(outcome.out);
     EXPECT_TRUE(all["machine"].is_object());
@@ -182,7 +182,7 @@ TEST(Claims, AreJudgedFromAnyStore) {
             EXPECT_TRUE(claim[key].is_string()) << key;
         EXPECT_TRUE(claim["deterministic"].is_boolean());
     }
-    const Outcome table = run({"claims", "s.db"}, folder);
+    const Outcome table = run({"report", "claims", "s.db"}, folder);
     EXPECT_EQ(table.exit_code, 0) << table.err;
     EXPECT_THAT(lines_of(table.out).at(0), HasSubstr(" not measured")) << "the summary first";
     EXPECT_THAT(lines_of(table.out).at(1), HasSubstr("layouts/sweep --paper")) << "then the remedy";

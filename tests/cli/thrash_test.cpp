@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What `edgewise thrash` says: every combination scored, cells made real or the reason, and bad input.
+// What `edgewise paging thrash` says: every combination scored, cells made real or the reason, and bad input.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -14,9 +14,9 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const Arguments few_settings = {"thrash",   "--layouts", "aos_f64",    "--bodies", "20",
-                                "--memory", "1,16",      "--fault-ns", "20000",    "--steps",
-                                "12",       "--wait",    "0.02"};
+const Arguments few_settings = {"paging",  "thrash",   "--layouts", "aos_f64",    "--bodies",
+                                "20",      "--memory", "1,16",      "--fault-ns", "20000",
+                                "--steps", "12",       "--wait",    "0.02"};
 
 Arguments few_settings_with(const Arguments& more) {
     Arguments arguments = few_settings;
@@ -63,8 +63,8 @@ TEST(Thrash, PrintsATableForPeople) {
 
 TEST(Thrash, RefusesWhatCannotBe) {
     const Folder folder;
-    EXPECT_EQ(run({"thrash", "--bodies", "1"}, folder).exit_code, 2);
-    const Outcome unknown = run({"thrash", "--layouts", "nowhere"}, folder);
+    EXPECT_EQ(run({"paging", "thrash", "--bodies", "1"}, folder).exit_code, 2);
+    const Outcome unknown = run({"paging", "thrash", "--layouts", "nowhere"}, folder);
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("nowhere"));
 }

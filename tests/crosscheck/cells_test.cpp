@@ -49,8 +49,9 @@ double most_beyond(const std::string& machine) {
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
-    Arguments arguments = {"crosscheck", "--json",   "--table",   cell.table, "--algorithm", cell.algorithm,
-                           "--shape",    cell.shape, "--queries", "400",      "--machines",  machines};
+    Arguments arguments = {"bench",       "crosscheck",   "--json",  "--table",  cell.table,
+                           "--algorithm", cell.algorithm, "--shape", cell.shape, "--queries",
+                           "400",         "--machines",   machines};
     arguments.insert(arguments.end(), cell.more.begin(), cell.more.end());
     const Outcome outcome = Process(cells_program, arguments, folder).wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise effort` in the program that Valgrind can run: it must find the number of instructions of a
+// `edgewise bench effort` in the program that Valgrind can run: it must find the number of instructions of a
 // library of known cost, give our own figures twice, and print a message if a tool is missing.
 #include <gmock/gmock.h>
 
@@ -39,8 +39,8 @@ std::map<std::string, json> effort(const Folder& folder, const Arguments& more,
                                    const Arguments& environment = {}) {
     Arguments arguments = environment;
     arguments.insert(arguments.end(),
-                     {program_in(folder), "effort", "--json", "--layouts", "aos_f64", "--algorithms", "gjk",
-                      "--shape", "sphere38", "--queries", "50", "--checked", "10"});
+                     {program_in(folder), "bench", "effort", "--json", "--layouts", "aos_f64", "--algorithms",
+                      "gjk", "--shape", "sphere38", "--queries", "50", "--checked", "10"});
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = Process("/usr/bin/env", arguments, folder).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -107,8 +107,9 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
 /// functions that the table of phases (studies/phases/phases.cpp) does not name.
 TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     const Folder folder;
-    const Arguments arguments = {
-        "effort", "--by-phase", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64", "--queries", "50"};
+    const Arguments arguments = {"bench",     "effort",    "--by-phase",
+                                 "--json",    "--layouts", "aos_f64,lean_f64,points_soa_f64",
+                                 "--queries", "50"};
     const Outcome outcome = Process(program_in(folder), arguments, folder).wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json printed = json::parse(outcome.out), &rows = printed.at("effort_by_phase");
@@ -139,9 +140,13 @@ TEST(EffortByPhase, CountsWhatEffortCounts) {
         arguments.insert(arguments.end(), cell.begin(), cell.end());
         return json::parse(Process(program_in(folder), arguments, folder).wait().out);
     };
-    const double by_phase =
-        total_of({"effort", "--by-phase"}).at("effort_by_phase").at(0).at("total").at("instructions");
-    EXPECT_DOUBLE_EQ(by_phase, value(total_of({"effort"}).at("effort").at(0), "effort.instructions"));
+    const double by_phase = total_of({"bench", "effort", "--by-phase"})
+                                .at("effort_by_phase")
+                                .at(0)
+                                .at("total")
+                                .at("instructions");
+    EXPECT_DOUBLE_EQ(by_phase,
+                     value(total_of({"bench", "effort"}).at("effort").at(0), "effort.instructions"));
 }
 
 TEST(Effort, WithoutValgrindSaysSo) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The claims together: as a summary, as a grid for the report, and as the command `claims` prints them.
+// The claims together: as a summary, as a grid for the report, and as `edgewise report claims` prints them.
 #include "edgewise/reports/paper/claims/claims.hpp"
 
 #include <fmt/core.h>

@@ -41,7 +41,7 @@ struct Claim {
 /// Primary findings by verdict, by name: a number of claims would be no result, since they weigh differently.
 [[nodiscard]] std::string claims_summary(const std::vector<Claim>& claims);
 
-/// Returns the output of the command on claims. A claim that is not reproduced is a finding, not an error.
+/// Returns the output of `edgewise report claims`. A claim that is not reproduced is a finding, not an error.
 [[nodiscard]] std::string claims_text(const ReportData& data, bool json);
 
 /// One verdict per claim, with its figures as a note: to be compared with another store's. Every difference

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every command file gives: a function that adds its subcommand and, when it is the one called, leaves
-// its action. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
+// Every command file has a function that adds its subcommand, which leaves its action if it is the one that
+// was called. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
 #pragma once
 
 #include <fmt/core.h>
@@ -24,10 +24,10 @@
 
 namespace edgewise::cli {
 
-/// Where a sweep leaves its store when nobody says otherwise.
+/// The store of a sweep without --store.
 inline constexpr const char* default_store = "reports/out/edgewise.db";
 
-/// Where its report goes then.
+/// The folder of a store, in which its report is written by default.
 [[nodiscard]] inline std::string folder_of(const std::string& store) {
     const auto folder = std::filesystem::path(store).parent_path();
     return folder.empty() ? "." : folder.string();
@@ -43,8 +43,8 @@ inline const std::atomic<bool>& stop_on_signals() {
     return stop_requested;
 }
 
-/// A non-fatal problem.
-inline void warn(const std::string& line) { fmt::print(stderr, "edgewise: {}\n", input::shown_line(line)); }
+/// Prints a non-fatal problem, unless the same line was printed before.
+void warn(const std::string& line);
 
 /// One line on stdout, for programs.
 template <class Json>
@@ -59,24 +59,30 @@ struct Context {
     std::function<int()> action;
 };
 
-/// Adds a subcommand with the option that all have, --json; `run` is what it does with its other options,
-/// which the caller adds.
+/// The words that call a command after the program's name: "advise budget".
+[[nodiscard]] std::string path_of(const CLI::App& command);
+
+/// Commands that --help lists, each before those nested in it.
+[[nodiscard]] std::vector<const CLI::App*> listed_commands(const CLI::App& app);
+
+/// Adds a command that groups others: one of them must be named.
+CLI::App& add_group(CLI::App& app, const std::string& name, const std::string& does);
+
+/// Adds a subcommand with --json and the end of its --help: two command lines that can be typed. Its callback
+/// calls `act` if none of the commands nested in it was named; then its own options are refused.
+CLI::App* add_command(CLI::App& app, Context& context, const std::string& name, const std::string& does,
+                      std::function<void()> act);
+
+/// `run` is what the command does with its other options, which the caller adds.
 template <class Options>
 std::pair<CLI::App*, Options&> add_command(CLI::App& app, Context& context, const std::string& name,
                                            const std::string& does,
                                            int (*run)(const Options& options, bool json)) {
-    CLI::App* command = app.add_subcommand(name, does);
-    command->add_flag("--json", context.json, "machine-readable output on stdout");
     auto options = std::make_shared<Options>();
-    command->callback([options, run, &context] {
+    CLI::App* const command = add_command(app, context, name, does, [options, run, &context] {
         context.action = [options, run, &context] { return run(*options, context.json); };
     });
     return {command, *options};
-}
-
-/// An option of several names, which commas may separate as well as blanks.
-inline void add_names(CLI::App& command, const char* option, std::vector<std::string>& to, const char* what) {
-    command.add_option(option, to, what)->delimiter(',');
 }
 
 template <class Value>
@@ -95,50 +101,36 @@ template <class Items, class JsonOf>
     return rows;
 }
 
-/// Options that name one cell, for commands that look at one. The choice must live until the command's action
-/// is done.
-void add_cell_options(CLI::App& command, studies::CellChoice& choice);
-/// Those of its scene alone.
-void add_scene_options(CLI::App& command, studies::CellChoice& choice);
-
-/// --parameter NAME=NUMBER, as often as wanted.
-CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters);
-/// "rotation_step=0.1"; throws CLI::ValidationError.
-void take_parameter(const std::string& text, scene::SceneParameters& parameters);
-
-/// --sub-distance: how GJK solves its simplices, by name.
-void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
-
-/// --margin: what --needs nearer asks about.
-void add_margin_option(CLI::App& command, std::optional<double>& margin);
-
-void add_advise(CLI::App& app, Context& context);
-void add_additions(CLI::App& app, Context& context);
-void add_bench(CLI::App& app, Context& context);
-void add_budget(CLI::App& app, Context& context);
-void add_bytes(CLI::App& app, Context& context);
-void add_caches(CLI::App& app, Context& context);
-void add_calibrate(CLI::App& app, Context& context);
-void add_campaign(CLI::App& app, Context& context);
-void add_compare(CLI::App& app, Context& context);
-void add_crosscheck(CLI::App& app, Context& context);
-void add_draw(CLI::App& app, Context& context);
-void add_effort(CLI::App& app, Context& context);
-void add_export(CLI::App& app, Context& context);
-void add_fields(CLI::App& app, Context& context);
-void add_heat(CLI::App& app, Context& context);
-void add_judge(CLI::App& app, Context& context);
-void add_list(CLI::App& app, Context& context);
-void add_lock(CLI::App& app, Context& context);
-void add_machine(CLI::App& app, Context& context);
-void add_merge(CLI::App& app, Context& context);
-void add_paging(CLI::App& app, Context& context);
-void add_pass(CLI::App& app, Context& context);
-void add_query(CLI::App& app, Context& context);
-void add_report(CLI::App& app, Context& context);
-void add_scaling(CLI::App& app, Context& context);
-void add_stability(CLI::App& app, Context& context);
+// The program's commands, in the order of --help.
 void add_sweep(CLI::App& app, Context& context);
-void add_thrash(CLI::App& app, Context& context);
+void add_advise(CLI::App& app, Context& context);
+void add_stability(CLI::App& app, Context& context);
+void add_merge(CLI::App& app, Context& context);
+void add_campaign(CLI::App& app, Context& context);
+void add_report(CLI::App& app, Context& context);
+void add_export(CLI::App& app, Context& context);
+void add_compare(CLI::App& app, Context& context);
+void add_bytes(CLI::App& app, Context& context);
+void add_draw(CLI::App& app, Context& context);
+void add_query(CLI::App& app, Context& context);
+void add_judge(CLI::App& app, Context& context);
+void add_machine(CLI::App& app, Context& context);
+void add_caches(CLI::App& app, Context& context);
+void add_lock(CLI::App& app, Context& context);
+void add_paging(CLI::App& app, Context& context);
+void add_fields(CLI::App& app, Context& context);
+void add_bench(CLI::App& app, Context& context);
+void add_pass(CLI::App& app, Context& context);
+void add_list(CLI::App& app, Context& context);
+
+// Commands nested in others: in advise, paging, report, draw and bench.
+void add_budget(CLI::App& advise, Context& context);
+void add_thrash(CLI::App& paging, Context& context);
+void add_claims(CLI::App& report, Context& context);
+void add_heat(CLI::App& draw, Context& context);
+void add_effort(CLI::App& bench, Context& context);
+void add_crosscheck(CLI::App& bench, Context& context);
+void add_scaling(CLI::App& bench, Context& context);
+void add_calibrate(CLI::App& bench, Context& context);
 
 }  // namespace edgewise::cli

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise bench`: how fast Edgewise's own measuring is; with --gate, whether queries became slower.
+// `edgewise bench`: speed and work of queries and of the measuring itself. Here: `bench model`, how fast the
+// cache model and the reuse distances are, and `bench gate`, which compares this build's speed with a
+// baseline.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/statistics.hpp"
@@ -23,22 +25,22 @@ struct GateArguments {
     bool write = false;
     int rounds = 17;
     std::optional<double> slack;
+    std::size_t queries = studies::CellChoice{}.queries;
     std::vector<std::string> layouts = {"all"};
 };
 
-struct BenchArguments {
+struct ModelArguments {
     studies::CellChoice cell;
     int repetitions = 7;
-    GateArguments gate;
 };
 
 constexpr double usual_slack = 0.1;
 constexpr int second_looks = 2;  ///< at what seems slower
 
 /// Measures these groups; all if none is named. Nothing if it was stopped.
-std::optional<studies::GateRun> measure_gate(const GateArguments& gate, std::size_t queries,
+std::optional<studies::GateRun> measure_gate(const GateArguments& gate,
                                              const std::vector<std::string>& groups = {}) {
-    const studies::GatePlan plan{bench::select_table_types(gate.layouts), gate.rounds, queries, groups};
+    const studies::GatePlan plan{bench::select_table_types(gate.layouts), gate.rounds, gate.queries, groups};
     Progress progress(groups.empty() ? "gate" : "gate, a second look",
                       groups.empty() ? studies::gate_groups().size() : groups.size());
     return studies::run_gate(
@@ -57,9 +59,9 @@ measure::FigureRecord asked_of(measure::FigureRecord baseline, const GateArgumen
     return baseline;
 }
 
-int write_baseline(const GateArguments& gate, std::size_t queries, bool json) {
+int write_baseline(const GateArguments& gate, bool json) {
     static_cast<void>(input::output_place(gate.file));  // refused before minutes of measuring
-    auto run = measure_gate(gate, queries);
+    auto run = measure_gate(gate);
     if (!run) return exit_check_failed;
     run->record.slack = gate.slack.value_or(usual_slack);
     for (const std::string& line : run->wrong) warn("wrong answers: " + line);
@@ -84,11 +86,10 @@ measure::FigureRecord read_baseline(const std::string& file) {
 
 /// Measures groups again while something in them seems slower. Null when it was stopped.
 std::optional<measure::RecordComparison> settled(const measure::FigureRecord& baseline,
-                                                 const GateArguments& gate, std::size_t queries,
-                                                 studies::GateRun& run) {
+                                                 const GateArguments& gate, studies::GateRun& run) {
     measure::RecordComparison found = studies::compare_speed(baseline, run.record);
     for (int look = 0; look < second_looks && found.count(measure::Outcome::worse) > 0; ++look) {
-        const auto again = measure_gate(gate, queries, studies::suspect_groups(found));
+        const auto again = measure_gate(gate, studies::suspect_groups(found));
         if (!again) return std::nullopt;
         studies::look_again(run.record, found, again->record);
         found = studies::compare_speed(baseline, run.record);
@@ -96,47 +97,40 @@ std::optional<measure::RecordComparison> settled(const measure::FigureRecord& ba
     return found;
 }
 
-int compare_with_baseline(const GateArguments& gate, std::size_t queries, bool json) {
+int compare_with_baseline(const GateArguments& gate, bool json) {
     measure::FigureRecord baseline = asked_of(read_baseline(gate.file), gate);
     if (gate.slack) baseline.slack = gate.slack;
-    if (const std::string& of = baseline.condition("queries", gate.file); of != std::to_string(queries))
-        throw std::invalid_argument(
-            fmt::format("{} is of {} queries a pass, not {}: give --queries {}", gate.file, of, queries, of));
-    auto run = measure_gate(gate, queries);
+    if (const std::string& of = baseline.condition("queries", gate.file); of != std::to_string(gate.queries))
+        throw std::invalid_argument(fmt::format("{} is of {} queries a pass, not {}: give --queries {}",
+                                                gate.file, of, gate.queries, of));
+    auto run = measure_gate(gate);
     if (!run) return exit_check_failed;
-    auto found = settled(baseline, gate, queries, *run);
+    auto found = settled(baseline, gate, *run);
     if (!found) return exit_check_failed;
     for (const std::string& line : run->wrong) found->faults.push_back("wrong answers: " + line);
     fmt::print("{}", json ? to_json(*found) : input::shown_text(to_text(*found, gate.file)));
     return found->exit_code();
 }
 
-/// Options that only the gate has, and those that it does not take.
-void add_gate_options(CLI::App& command, GateArguments& gate) {
-    CLI::Option* file = command.add_option(
-        "--gate", gate.file, "compare this build's speed with the baseline in FILE; exit code 1 if slower");
-    for (const char* other : {"--table", "--algorithm", "--scene", "--shape", "--seed", "--parameter",
-                              "--needs", "--margin", "--repetitions"})
-        file->excludes(command.get_option(other));
-    command.add_flag("--write", gate.write, "write the baseline into the gate's FILE")->needs(file);
-    add_count(command, "--rounds", gate.rounds,
-              {static_cast<std::uint64_t>(measure::least_sample(0.95)), 10'000, "rounds"},
-              "of the gate; each is a ratio")
-        ->needs(file);
-    add_number(command, "--slack", gate.slack, {0, 100},
-               fmt::format("by how much a ratio of the gate may grow (else the FILE's; {} where it is "
-                           "written)",
-                           usual_slack))
-        ->needs(file);
-    command.add_option("--layouts", gate.layouts, "table types that the gate measures")
-        ->delimiter(',')
-        ->needs(file);
+int run_gate(const GateArguments& gate, bool json) {
+    return gate.write ? write_baseline(gate, json) : compare_with_baseline(gate, json);
 }
 
-int run_bench(const BenchArguments& options, bool json) {
-    if (!options.gate.file.empty())
-        return options.gate.write ? write_baseline(options.gate, options.cell.queries, json)
-                                  : compare_with_baseline(options.gate, options.cell.queries, json);
+void add_gate(CLI::App& bench, Context& context) {
+    auto [command, gate] = add_command(
+        bench, context, "gate",
+        "This build's speed compared with a baseline; exit code 1 where queries are slower", run_gate);
+    command->add_option("file", gate.file, "file of the baseline")->required();
+    command->add_flag("--write", gate.write, "write the baseline instead");
+    add_queries_option(*command, gate.queries);
+    add_rounds_option(*command, gate.rounds,
+                      {static_cast<std::uint64_t>(measure::least_sample(0.95)), 10'000, "rounds"});
+    add_slack_option(*command, gate.slack,
+                     fmt::format(" (else the baseline's; {} where it is written)", usual_slack));
+    add_layouts_option(*command, gate.layouts);
+}
+
+int run_model(const ModelArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
     const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
     const nlohmann::json rows = json_rows(speeds, [](const studies::ModelSpeed& speed) {
@@ -156,14 +150,17 @@ int run_bench(const BenchArguments& options, bool json) {
 }  // namespace
 
 void add_bench(CLI::App& app, Context& context) {
-    auto [command, options] = add_command(
-        app, context, "bench",
-        "How fast the cache model and the reuse distances are; --gate: whether queries became slower",
-        run_bench);
+    CLI::App& bench = add_group(app, "bench", "Speed and work of queries, and of the measuring itself");
+    add_gate(bench, context);
+    add_effort(bench, context);
+    add_crosscheck(bench, context);
+    add_scaling(bench, context);
+    add_calibrate(bench, context);
+    auto [command, options] = add_command(bench, context, "model",
+                                          "How fast the cache model and the reuse distances are", run_model);
     add_cell_options(*command, options.cell);
     add_count(*command, "--repetitions", options.repetitions, {1, 1000, "repetitions"},
               "repetitions of each measurement; the median is printed");
-    add_gate_options(*command, options.gate);
 }
 
 }  // namespace edgewise::cli

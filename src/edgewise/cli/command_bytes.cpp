@@ -10,8 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/probe.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
@@ -73,7 +72,7 @@ void add_slopes(const bench::TableType& type, Parts parts, nlohmann::json& row) 
     }
 }
 
-/// Of a table with all its parts.
+/// Bytes of a table with all its parts.
 std::vector<measure::Figure> bytes_of(const bench::TableType& type, const Polyhedron& body) {
     const char* const algorithm = type.all_parts() == Parts::features ? "vclip" : "gjk";
     const auto runner = type.make_runner(algorithm);
@@ -180,7 +179,8 @@ nlohmann::json rows_of(const BytesArguments& options, const scene::MeshBody& sha
 }
 
 void print_footnotes() {
-    for (const reports::Addition& addition : reports::additions()) fmt::print("\n{}", addition.bytes_text());
+    for (const reports::Addition& addition : reports::additions())
+        fmt::print("\n{}", addition.decompositions_text());
 }
 
 int run_bytes(const BytesArguments& options, bool json) {
@@ -190,7 +190,7 @@ int run_bytes(const BytesArguments& options, bool json) {
         nlohmann::json out;
         out["rows"] = rows;
         for (const reports::Addition& addition : reports::additions())
-            out[addition.bytes_key] = addition.bytes_json();
+            out["decompositions"] = addition.decompositions();
         print_json(out);
     } else {
         fmt::print("{}: {} vertices, {} edges\n", shape.name, shape.body.vertex_count(),
@@ -207,9 +207,8 @@ int run_bytes(const BytesArguments& options, bool json) {
 
 void add_bytes(CLI::App& app, Context& context) {
     auto [command, options] = add_command(app, context, "bytes", "The bytes-per-edge ledger", run_bytes);
-    add_body_options(*command, options.body);
-    command->add_option("--layouts", options.layouts, "layouts or table types, e.g. aos soa_f32")
-        ->delimiter(',');
+    add_shape_option(*command, options.body.shape, options.body.as_stored);
+    add_layouts_option(*command, options.layouts);
     command->add_flag(
         "--slopes", options.slopes,
         "also the slope at every index width, over bodies of 8 to 100 000 vertices; takes a while");

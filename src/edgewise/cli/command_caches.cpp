@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/output_file.hpp"
@@ -27,7 +27,7 @@ struct CachesArguments {
     std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};
 };
 
-/// What was traced, and in which words it is said.
+/// A trace: what it is of, and its counts.
 struct Traced {
     std::string what;
     measure::TraceCounts counts;
@@ -65,7 +65,8 @@ Traced trace_file(const CachesArguments& options, measure::TraceCaches& caches) 
     const measure::TraceCounts counts =
         measure::read_trace(stream, options.trace, {form, options.fetches},
                             [&](const measure::FileAccess& access) { caches.access(access); });
-    constexpr std::uint64_t surely_hexadecimal = 100;  // so many addresses without a letter are decimal
+    constexpr std::uint64_t surely_hexadecimal =
+        100;  // this number of addresses without a letter are decimal
     if (!counts.has_letters && counts.reads + counts.writes + counts.fetches >= surely_hexadecimal)
         warn(options.trace +
              ": no address has a digit above 9: addresses are read as hexadecimal, and these look "
@@ -178,13 +179,14 @@ void add_caches(CLI::App& app, Context& context) {
         command->add_option("--trace", options.trace,
                             "file of Dinero (.din) or of Valgrind's lackey --trace-mem=yes; else one cell");
     add_cell_options(*command, options.cell);
-    add_output_file(*command, "--write", options.write, "the cell's trace as extended din, to this file");
+    add_output_file(*command, "--out,--write", options.write,
+                    "file to write: the cell's trace as extended din");
     for (CLI::Option* option : command->get_options())
         if (option != trace && option != command->get_help_ptr() && option->get_name() != "--json")
             trace->excludes(option);
     command->add_flag("--fetches", options.fetches, "instruction fetches of the file are reads like others")
         ->needs(trace);
-    add_names(*command, "--machines", options.machines, "whose caches: names, host, or your own NAME.json");
+    add_machines_option(*command, options.machines);
 }
 
 }  // namespace edgewise::cli

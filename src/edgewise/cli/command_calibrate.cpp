@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise calibrate`: the cache model of this machine against its counters, over random chases.
+// `edgewise bench calibrate`: the cache model of this machine against its counters, over random chases.
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/machine/machine.hpp"
@@ -47,9 +46,9 @@ int run_calibrate(const measure::CalibrationOptions& options, bool json) {
 
 }  // namespace
 
-void add_calibrate(CLI::App& app, Context& context) {
+void add_calibrate(CLI::App& bench, Context& context) {
     auto [command, options] =
-        add_command(app, context, "calibrate",
+        add_command(bench, context, "calibrate",
                     "Misses of random loads, modelled and counted, by level and size", run_calibrate);
     add_number(*command, "--times", options.times, {0.01, 1000},
                "memory sizes, as multiples of each level's size");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise campaign`: as many pairs as wanted through every class of answers, each proven right or wrong.
+// `edgewise campaign`: random and hard pairs through every class of answers, each proven right or wrong.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,9 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/shard_options.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/campaign_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
@@ -35,7 +33,7 @@ struct CampaignArguments {
     std::string shard;
     std::vector<std::string> families, shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
     std::vector<std::string> layouts = {"all"}, algorithms = {"all"};
-    bool every_type = false;
+    bool every_type = false, as_stored = false;
     std::string state = "reports/out/campaign.json", failures = "reports/out/campaign_failures.jsonl";
     std::vector<std::string> add;
     std::optional<std::uint64_t> pair;
@@ -168,19 +166,19 @@ void add_campaign(CLI::App& app, Context& context) {
         add_command(app, context, "campaign", "Up to 10^9 pairs through every class of answers, each proven",
                     run_campaign);
     add_number(*command, "--pairs", options.pairs, {1, 1e15, "pairs"}, "pairs in all, as 1e9");
-    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the generators");
+    add_seed_option(*command, options.seed);
     add_shard_option(*command, options.shard);
-    add_names(*command, "--families", options.families,
-              "only these: random, or hard ones (edgewise list families)");
-    add_names(*command, "--shapes", options.shapes, "of the family random");
-    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
-    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    add_families_option(*command, options.families);
+    add_shapes_option(*command, options.shapes, options.as_stored);
+    add_layouts_option(*command, options.layouts);
+    add_algorithms_option(*command, options.algorithms);
     command->add_flag("--every-type", options.every_type,
                       "every table type, not one of each class of equal answers");
-    add_output_file(*command, "--state", options.state, "file that it goes on from, and leaves its sums in")
+    add_output_file(*command, "--state", options.state,
+                    "file to write: sums so far, from which the next run goes on")
         ->capture_default_str();
     add_output_file(*command, "--failures", options.failures,
-                    "file that failing pairs are added to, minimised, as cases")
+                    "file to write: failing pairs are added to it, minimised, as cases")
         ->capture_default_str();
     command->add_option("--add", options.add, "no run: the state files of all shards added up into --state");
     add_count(*command, "--pair", options.pair, {}, "no run: this pair as a case for edgewise query");

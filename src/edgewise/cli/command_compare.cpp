@@ -8,8 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/records/machine_record.hpp"
 #include "edgewise/studies/gate/speed_record.hpp"
@@ -85,10 +84,8 @@ void add_compare(CLI::App& app, Context& context) {
         ->add_option("files", options.files,
                      "an old and a new store, lock or baseline; or machine records of any number")
         ->required();
-    add_number(
-        *command, "--slack", options.slack, {0, 10},
-        fmt::format("a time may become longer by this part of itself (else the old record's; {} of stores)",
-                    slack_of_stores));
+    add_slack_option(*command, options.slack,
+                     fmt::format(" (else the old record's; {} of stores)", slack_of_stores));
 }
 
 }  // namespace edgewise::cli

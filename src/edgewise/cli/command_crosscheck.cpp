@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise crosscheck`: one cell's modelled misses beside Callgrind's, for the caches of several machines,
-// and beside the processor's own counters where there are any.
+// `edgewise bench crosscheck`: one cell's modelled misses next to Callgrind's, for the caches of several
+// machines, and next to the processor's own counters if there are any.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/machine/machine.hpp"
@@ -121,13 +121,12 @@ int run_crosscheck(const CrosscheckArguments& options, bool json) {
 
 }  // namespace
 
-void add_crosscheck(CLI::App& app, Context& context) {
+void add_crosscheck(CLI::App& bench, Context& context) {
     auto [command, options] =
-        add_command(app, context, "crosscheck",
+        add_command(bench, context, "crosscheck",
                     "One cell's modelled misses compared with Callgrind's and perf's", run_crosscheck);
     add_cell_options(*command, options.cell);
-    command->add_option("--machines", options.machines, "whose first two levels: names, or your NAME.json")
-        ->delimiter(',');
+    add_machines_option(*command, options.machines);
 }
 
 }  // namespace edgewise::cli

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise effort`: where the work of queries goes, of our table types and of other libraries: instructions,
-// modelled mispredictions and misses per query and per step, beside a floor.
+// `edgewise bench effort`: where the work of queries goes, of our table types and of other libraries:
+// instructions, modelled mispredictions and misses per query and per step, next to a lower bound.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/phase_tables.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -29,19 +28,18 @@ studies::CellChoice plain_cell() {
 struct EffortArguments {
     studies::CellChoice cell = plain_cell();
     std::vector<std::string> layouts = {"aos_f64", "lean_f32", "points_soa_f64"}, algorithms = {"all"}, peers;
-    std::string machine = studies::effort_machine;
+    std::vector<std::string> machines = {studies::effort_machine};  ///< one
     std::string store;
     bool by_phase = false;
 };
 
 studies::EffortPlan plan_of(const EffortArguments& options) {
-    const std::string machines[] = {options.machine};
     studies::CellChoice cell = options.cell;
     if (cell.scene == studies::effort_cell.scene)  // what was named goes before
         cell.parameters.insert(studies::effort_cell.parameters.begin(),
                                studies::effort_cell.parameters.end());
     return {cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
-            bench::select_algorithms(options.algorithms), measure::choose_machines(machines).front()};
+            bench::select_algorithms(options.algorithms), measure::choose_machines(options.machines).front()};
 }
 
 nlohmann::json effort_json(const studies::EffortRow& row) {
@@ -67,7 +65,7 @@ void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& o
     for (const studies::EffortRow& row : rows)
         data.effort.push_back({{row.cell, row.figures}, row.cell.scene});
     fmt::print("per query of {} on {}, caches of {}\n", options.cell.scene, options.cell.shape,
-               options.machine);
+               options.machines.front());
     for (const reports::TextGrid& grid :
          {reports::effort_grid(data), reports::effort_floor_grid(data), reports::problems_grid(data)})
         if (!grid.rows.empty()) fmt::print("\n{}", grid_text(grid));
@@ -111,7 +109,8 @@ int run_effort(const EffortArguments& options, bool json) {
     std::vector<studies::EffortRow> rows;
     if (!measure_rows(options, plan, rows)) return exit_check_failed;
     if (json) {
-        print_json(nlohmann::json({{"effort", json_rows(rows, effort_json)}, {"machine", options.machine}}));
+        print_json(nlohmann::json(
+            {{"effort", json_rows(rows, effort_json)}, {"machine", options.machines.front()}}));
     } else {
         print(rows, options);
     }
@@ -126,21 +125,19 @@ int run_effort(const EffortArguments& options, bool json) {
 
 }  // namespace
 
-void add_effort(CLI::App& app, Context& context) {
+void add_effort(CLI::App& bench, Context& context) {
     auto [command, options] = add_command(
-        app, context, "effort",
-        "Instructions, modelled mispredictions and misses per query and step, beside a floor", run_effort);
+        bench, context, "effort",
+        "Instructions, modelled mispredictions and misses per query and step, next to a lower bound",
+        run_effort);
     add_scene_options(*command, options.cell);
-    add_names(*command, "--layouts", options.layouts, "table types");
-    add_names(*command, "--algorithms", options.algorithms, "algorithms");
-    add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
-    add_count(*command, "--checked", options.cell.checked, input::queries_range,
-              "queries checked exactly per row");
-    command->add_option("--machine", options.machine, "whose first two levels: a name, or your NAME.json")
-        ->capture_default_str();
-    CLI::Option* peers = command->get_option("--peers");
-    CLI::Option* store = command->add_option(
-        "--store", options.store, "SQLite file to add the rows to; those it has are left as they are");
+    add_layouts_option(*command, options.layouts);
+    add_algorithms_option(*command, options.algorithms);
+    CLI::Option* peers = add_peers_option(*command, options.peers);
+    add_checked_option(*command, options.cell.checked);
+    add_machines_option(*command, options.machines)->expected(1)->default_str(studies::effort_machine);
+    CLI::Option* store =
+        add_store_option(*command, options.store, "rows are added, and those it has are left as they are");
     command
         ->add_flag("--by-phase", options.by_phase,
                    "what they are divided by the phases of the algorithm, of our table types alone")

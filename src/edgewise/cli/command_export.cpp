@@ -4,7 +4,7 @@
 // packages no library that writes it. Or what the store says of its machine, as a record for others.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
@@ -48,11 +48,11 @@ int run_export(const ExportArguments& options, bool json) {
 void add_export(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "export", "Figures of a store, breakdowns too, as CSV or JSON", run_export);
-    command->add_option("store", options.store, "store of a sweep")->capture_default_str();
+    add_read_store_option(*command, options.store);
     add_names(*command, "--figures", options.choice.figures,
               "patterns such as 'time.*' or 'caches.*.step.*'; the main figures if not given");
     add_names(*command, "--scenes", options.choice.scenes, "only these scenes");
-    add_names(*command, "--layouts", options.choice.layouts, "only these layouts or table types");
+    add_layouts_option(*command, options.choice.layouts);
     command->add_option("--format", options.format, "csv or json")
         ->check(CLI::IsMember({"csv", "json"}))
         ->capture_default_str();
@@ -61,7 +61,7 @@ void add_export(CLI::App& app, Context& context) {
                           "what the store says of its machine, without names and paths, as JSON");
     command->add_option("--modelled", options.modelled, "of this machine, whose caches the sweep modelled")
         ->needs(record);
-    add_output_file(*command, "--out", options.out, "file to write; stdout if not given");
+    add_output_file(*command, "--out", options.out, "file to write: the figures; stdout if not given");
 }
 
 }  // namespace edgewise::cli

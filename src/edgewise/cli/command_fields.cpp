@@ -6,8 +6,7 @@
 
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
@@ -23,7 +22,7 @@ using studies::FieldsAdvice;
 using studies::FieldsContender;
 using Role = FieldsContender::Role;
 
-/// As many as an interval takes.
+/// An interval needs nine rounds.
 constexpr input::CountRange interval_rounds{9, 1000, "rounds"};
 
 struct FieldsArguments {
@@ -154,15 +153,13 @@ void add_fields(CLI::App& app, Context& context) {
         "Which fields of a table's records are read together, and where they should lie", run_fields);
     studies::FieldsPlan& plan = options.plan;
     add_cell_options(*command, plan.cell);
-    add_count(*command, "--checked", plan.cell.checked, input::queries_range,
-              "queries checked exactly, of each table");
-    add_names(*command, "--machines", plan.machines,
-              "whose caches are modelled: names, or your own NAME.json");
-    command->add_option("--beside", plan.beside, "a table type made by hand, timed beside [hot_cold]");
-    command->add_option("--groups", plan.groups_file, "a file of groups to try, in place of advised ones");
-    add_output_file(*command, "--write", options.write, "the advised groups as JSON, to this file");
-    add_output_file(*command, "--svg", options.svg, "the matrix of fields as a picture, to this file");
-    add_count(*command, "--rounds", plan.rounds, interval_rounds, "interleaved rounds of timing");
+    add_checked_option(*command, plan.cell.checked);
+    add_machines_option(*command, plan.machines);
+    command->add_option("--beside", plan.beside, "a table type made by hand, which is timed too [hot_cold]");
+    command->add_option("--groups", plan.groups_file, "a file of groups to try instead of the advised ones");
+    add_output_file(*command, "--out,--write", options.write, "file to write: the advised groups as JSON");
+    add_svg_option(*command, options.svg);
+    add_rounds_option(*command, plan.rounds, interval_rounds);
 }
 
 }  // namespace edgewise::cli

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise heat`: what one cell's queries touch of its tables: by field, by line, by component, and which
-// vertices, edges and faces; as text, JSON or a picture.
+// `edgewise draw heat`: what one cell's queries touch of its tables: by field, by line, by component, and
+// which vertices, edges and faces; as text, JSON or a picture.
 #include <fmt/format.h>
 
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/options.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/heat_map.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 
 struct HeatArguments {
     studies::CellChoice cell;
-    bool svg = false;
+    std::string svg;
 };
 
 /// Lines of the tables alone: what follows them is the scene's.
@@ -27,7 +28,7 @@ std::span<const std::uint32_t> lines_of_tables(const measure::HeatMap& heat,
     return std::span(heat.accesses_by_line()).first(std::min(lines, heat.accesses_by_line().size()));
 }
 
-/// Of the first table, by the order in which the layout stores them.
+/// Features of the first table, in the order in which the layout stores them.
 nlohmann::json features(const bench::TableMap& map, const measure::TouchedBytes& touched) {
     nlohmann::json json = nlohmann::json::object();
     const std::pair<const char*, FeatureKind> kinds[] = {
@@ -105,12 +106,13 @@ int run_heat(const HeatArguments& options, bool json) {
     measure::HeatMap heat(bench::field_names().size(), bench::step_names().size());
     cell.runner().trace(bench::TraceExtent::everything(), heat);
     const measure::TouchedTables tables = bench::touched_tables(cell.runner().memory_maps(), heat.touched());
-    if (options.svg) {
+    if (!options.svg.empty()) {
         const std::string title =
             fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,
                         options.cell.scene, options.cell.shape, heat.queries().all);
-        fmt::print("{}", bench::draw_heat(title, lines_of_tables(heat, cell)));
-    } else if (json) {
+        input::write_output(options.svg, bench::draw_heat(title, lines_of_tables(heat, cell)));
+    }
+    if (json) {
         print_json(json_of(heat, tables, cell));
     } else {
         fmt::print("{} {}, scene {}, shape {}\n", options.cell.table, options.cell.algorithm,
@@ -122,12 +124,11 @@ int run_heat(const HeatArguments& options, bool json) {
 
 }  // namespace
 
-void add_heat(CLI::App& app, Context& context) {
+void add_heat(CLI::App& draw, Context& context) {
     auto [command, options] = add_command(
-        app, context, "heat", "What one cell's queries touch of its tables, and how often", run_heat);
+        draw, context, "heat", "What one cell's queries touch of its tables, and how often", run_heat);
     add_cell_options(*command, options.cell);
-    command->add_flag("--svg", options.svg, "a picture of the tables' lines, on stdout")
-        ->excludes(command->get_option("--json"));
+    add_svg_option(*command, options.svg);
 }
 
 }  // namespace edgewise::cli

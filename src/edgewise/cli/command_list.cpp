@@ -118,7 +118,7 @@ Json list_plans() {
     });
 }
 
-/// What stands in braces differs from figure to figure of a family.
+/// The part in braces differs from figure to figure of a family.
 Json list_figures() {
     Json result = Json::array();
     for (const auto part : store::vocabulary_parts)

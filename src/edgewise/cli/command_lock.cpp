@@ -9,14 +9,10 @@
 #include <stdexcept>
 
 #include "edgewise/bench/trace/trace_names.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
 #include "edgewise/measure/record/comparison.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
-#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::cli {
 
@@ -26,17 +22,16 @@ struct LockArguments {
     studies::CellChoice cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};
     std::string check;
-    bool as_stored = false;
 };
 
-/// Of a lock whose mesh was read with --as-stored; no other lock has it.
+/// A lock has this condition only if its mesh was read with --as-stored.
 constexpr const char* stored_condition = "as_stored";
 
-/// A built-in body, or all meshes of a file as one hull: names of files have a dot.
-scene::NamedShape shape_named(const std::string& name, bool as_stored) {
-    if (scene::names_mesh_file(name)) return {name, name, mesh_body(name, as_stored).body, {}};
-    if (as_stored) throw std::invalid_argument("--as-stored is of mesh files: name one with --shape");
-    return {name, "built-in", scene::make_shape(name).or_throw(), {}};
+/// The body; all meshes of a file are one hull in its own size.
+scene::NamedShape shape_of(const LockArguments& options) {
+    const std::string& name = options.cell.shape;
+    scene::MeshBody body = chosen_body({name, options.cell.as_stored});
+    return {name, scene::names_mesh_file(name) ? name : "built-in", std::move(body.body), {}};
 }
 
 const bench::TableType& type_named(const LockArguments& options) {
@@ -61,7 +56,7 @@ std::vector<measure::ComponentBytes> bytes_of(const bench::Runner& runner) {
     return bytes;
 }
 
-/// What must be the same for figures to be comparable; what the bodies have is found out again by a check.
+/// Conditions that must be equal for figures to be comparable. A check counts the bodies' features again.
 measure::Conditions conditions(const LockArguments& options, const Polyhedron& stored) {
     std::vector<std::string> parameters;
     for (const auto& [name, value] : options.cell.parameters)
@@ -76,7 +71,7 @@ measure::Conditions conditions(const LockArguments& options, const Polyhedron& s
                               {"queries", std::to_string(options.cell.queries)},
                               {"seed", std::to_string(options.cell.seed)},
                               {"machines", fmt::format("{}", fmt::join(options.machines, ","))}};
-    if (options.as_stored) of.emplace_back(stored_condition, "yes");
+    if (options.cell.as_stored) of.emplace_back(stored_condition, "yes");
     return of;
 }
 
@@ -87,7 +82,7 @@ measure::FigureRecord lock_of(const LockArguments& options) {
     plan.queries = options.cell.queries;
     plan.seed = options.cell.seed;
     const sweep::SharedQueries queries(plan, {options.cell.scene, options.cell.parameters},
-                                       shape_named(options.cell.shape, options.as_stored));
+                                       shape_of(options));
     const auto runner = type.make_runner(options.cell.algorithm);
     runner->configure({});
     if (const std::string error = runner->load(queries.workload()); !error.empty())
@@ -115,8 +110,8 @@ LockArguments options_of(const measure::FigureRecord& lock, const std::string& f
     options.cell.table = lock.condition("table", file);
     options.cell.algorithm = lock.condition("algorithm", file);
     options.cell.shape = lock.condition("shape", file);
-    options.as_stored = std::ranges::find(lock.of, stored_condition,
-                                          &std::pair<std::string, std::string>::first) != lock.of.end();
+    options.cell.as_stored = std::ranges::find(lock.of, stored_condition,
+                                               &std::pair<std::string, std::string>::first) != lock.of.end();
     options.cell.scene = lock.condition("scene", file);
     options.cell.queries = number_in(lock, "queries", file);
     options.cell.seed = number_in(lock, "seed", file);
@@ -145,18 +140,15 @@ void add_lock(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "lock", "The deterministic figures of a layout, to hold it to", run_lock);
     const std::vector<CLI::Option*> of = {
-        command->add_option("--table", options.cell.table, "table type")->capture_default_str(),
-        command->add_option("--algorithm", options.cell.algorithm, "vclip or gjk")->capture_default_str(),
-        command->add_option("--shape", options.cell.shape, "built-in shape, or a mesh file")
-            ->capture_default_str(),
-        command->add_option("--scene", options.cell.scene, "scene")->capture_default_str(),
-        add_count(*command, "--queries", options.cell.queries, {1, 1'000'000, "queries"}, "queries per pass"),
-        add_count(*command, "--seed", options.cell.seed, input::seed_range, "seed of the scene"),
+        add_table_option(*command, options.cell.table),
+        add_algorithm_option(*command, options.cell.algorithm),
+        add_shape_option(*command, options.cell.shape, options.cell.as_stored),
+        add_scene_option(*command, options.cell.scene),
+        add_queries_option(*command, options.cell.queries, {1, 1'000'000, "queries"}),
+        add_seed_option(*command, options.cell.seed),
         add_parameter_option(*command, options.cell.parameters),
-        command->add_option("--machines", options.machines, "whose caches: names, or your own NAME.json")
-            ->delimiter(',')
-            ->capture_default_str(),
-        add_as_stored_option(*command, options.as_stored)};
+        add_machines_option(*command, options.machines),
+        command->get_option("--as-stored")};
     CLI::Option* const check =
         command->add_option("--check", options.check, "compare with this lock, of what it says itself");
     for (CLI::Option* option : of) check->excludes(option);

@@ -3,7 +3,7 @@
 // `edgewise merge`: the stores of a campaign's parts as one.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/store/merge.hpp"
@@ -57,7 +57,7 @@ void add_merge(CLI::App& app, Context& context) {
         add_command(app, context, "merge", "The stores of a campaign's parts as one", run_merge);
     command->add_option("stores", options.stores, "stores of the parts")->required();
     add_output_file(*command, "--out", options.out,
-                    "SQLite file to write; an earlier merged store there is replaced")
+                    "file to write: the merged store, which replaces an earlier one there")
         ->required();
     command->add_flag("--mixed", options.mixed, "take stores of several plans, seeds or revisions together");
     command->add_flag("--fom", options.fom, "print figures of merit too: FOM name = value unit");

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise paging`: major page faults per query under memory limits, measured, beside their prediction.
+// `edgewise paging`: major page faults per query under memory limits, measured, next to their prediction.
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/paging/paging.hpp"
 
 namespace edgewise::cli {
@@ -18,7 +16,8 @@ namespace {
 
 struct PagingArguments {
     std::vector<std::string> layouts = {"aos_f64", "lean_f64"};
-    std::string algorithm = "vclip", shape = "sphere386";
+    std::string algorithm = "vclip";
+    BodyChoice body;
     std::size_t bodies = 600, steps = 6;
     double rotation_step = 0.1;
     bool same_order = false;
@@ -32,8 +31,8 @@ scene::Workload pressure(const PagingArguments& options) {
                                                 {"rotation_step", options.rotation_step},
                                                 {"new_order", options.same_order ? 0 : 1}})
             .or_throw();
-    return scene::make_scene("pressure", scene::make_shape(options.shape).or_throw(), parameters,
-                             options.seed, options.steps * (options.bodies - 1), {})
+    return scene::make_scene("pressure", chosen_shape(options.body).body, parameters, options.seed,
+                             options.steps * (options.bodies - 1), {})
         .or_throw();
 }
 
@@ -116,17 +115,19 @@ void add_paging(CLI::App& app, Context& context) {
                     "Page faults of many bodies' queries under memory limits, and their prediction; "
                     "turns a disk's read-ahead off while it opens a file",
                     run_paging);
-    command->add_option("--layouts", options.layouts, "table types; every body has a table")->delimiter(',');
-    command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
-    command->add_option("--shape", options.shape, "built-in shape of all bodies")->capture_default_str();
-    add_count(*command, "--bodies", options.bodies, {2, 100'000, "bodies"}, "number of bodies");
+    add_layouts_option(*command, options.layouts);
+    add_algorithm_option(*command, options.algorithm);
+    add_shape_option(*command, options.body.shape, options.body.as_stored);
+    add_count(*command, "--bodies", options.bodies, {2, 100'000, "bodies"},
+              "how many bodies; each has a table of its own");
     add_count(*command, "--steps", options.steps, {1, 1000, "steps"}, "steps of the scene in each pass");
-    add_number(*command, "--rotation-step", options.rotation_step, {0, 100, "rad"},
-               "turn of every body per step, rad");
+    add_number(*command, "--turn,--rotation-step", options.rotation_step, {0, 100, "rad"},
+               "rad by which every body turns per step");
     command->add_flag("--same-order", options.same_order,
                       "ask the pairs in the same order every step, instead of in a new one");
     add_number(*command, "--limits", options.limits, {0, 1e6, "MiB"}, "memory limits, MiB; 0: no limit");
-    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
+    add_seed_option(*command, options.seed);
+    add_thrash(*command, context);
 }
 
 }  // namespace edgewise::cli

@@ -3,12 +3,11 @@
 // `edgewise pass`: runs passes over one cell's queries and nothing else, for tools that look at the whole
 // program. One pass first fills caches; the others are what is to be observed, and what Callgrind collects
 // when told not to begin at the start. Prints how many queries the first pass had and the sum of their
-// distances, so that whoever counts them knows that they were answered right. Not listed: `edgewise
-// crosscheck` and `edgewise effort` call it.
+// distances, so that whoever counts them knows that they were answered right. Not listed: `edgewise bench
+// crosscheck` and `edgewise bench effort` call it.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -54,7 +53,7 @@ void add_pass(CLI::App& app, Context& context) {
     command->group("");
     add_cell_options(*command, options->cell);
     command->add_option("--peer", options->cell.peer,
-                        "another library, in place of a table type and an algorithm");
+                        "another library instead of a table type and an algorithm");
     add_count(*command, "--passes", options->passes, {1, 1'000'000, "passes"}, "after the first");
     command->callback([options, &context] { context.action = [=] { return run_pass(*options); }; });
 }

@@ -3,7 +3,6 @@
 // `edgewise query`: answers for pairs given in a case file, one JSON line each. A line that cannot be read or
 // answered gets a line with status "failed" and the reason, so that no line is lost.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <fstream>
 #include <iostream>
@@ -14,10 +13,8 @@
 
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/input/file_text.hpp"
-#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/studies/single_cell.hpp"
@@ -34,23 +31,19 @@ constexpr std::size_t most_warnings = 10;
 struct QueryArguments {
     std::string cases;
     std::string algorithm = "vclip";
-    std::string layout = "aos_f64";
-    std::string needs = std::string(to_string(Needs::features));
+    std::string table = "aos_f64";
+    Needs needs = Needs::features;
     std::optional<double> margin;
     QueryOptions query;
 };
 
-Needs chosen_needs(const QueryArguments& options) {
-    const auto needs = needs_from(options.needs);
-    if (!needs)
-        throw std::invalid_argument(
-            unknown_name("need", options.needs, {needs_names.begin(), needs_names.end()}));
-    if (options.margin && *needs != Needs::nearer)
+/// Throws std::invalid_argument where one option leaves another without a meaning.
+void check_needs(const QueryArguments& options) {
+    if (options.margin && options.needs != Needs::nearer)
         throw std::invalid_argument("--margin is of --needs nearer: give both");
-    if (*needs == Needs::nearer && options.query.contact_tolerance != 0)
+    if (options.needs == Needs::nearer && options.query.contact_tolerance != 0)
         throw std::invalid_argument(
             "--needs nearer asks for its --margin, not for contact: leave --contact-tolerance out");
-    return *needs;
 }
 
 Json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
@@ -122,7 +115,7 @@ std::string contradiction(const bench::NamedAnswer& answer, const truth::Certifi
     return bench::contradiction(distance, stored, allowed, allowed + given_away);
 }
 
-/// Both bodies' tables are built anew for each case: cases rarely share bodies.
+/// Both bodies' tables are built again for each case: cases rarely share bodies.
 Json answer_case(const scene::Case& given, const Respondent& by, const QueryArguments& options) {
     bench::Runner& runner = *by.runner;
     const auto a = scene::body_from_case(given.a);
@@ -139,7 +132,7 @@ Json answer_case(const scene::Case& given, const Respondent& by, const QueryArgu
             "the bodies are too large, too small or too far apart for this precision: use f64, "
             "or another unit");
     }
-    const Needs needs = chosen_needs(options);
+    const Needs needs = options.needs;
     Json line = answer_json(given.id, answer, needs);
     if (needs == Needs::nearer) {
         const double margin = runner.margin(query);
@@ -169,19 +162,19 @@ Json answer_alone(const scene::Case& given, const Respondent& by, const QueryArg
 }
 
 Respondent chosen_respondent(const QueryArguments& options) {
-    const auto types = bench::select_table_types(std::vector{options.layout});
+    const auto types = bench::select_table_types(std::vector{options.table});
     if (types.size() != 1) {
-        throw std::invalid_argument(fmt::format("--layout takes one table type, such as {}; '{}' names {}",
-                                                types.front()->name, options.layout, types.size()));
+        throw std::invalid_argument(fmt::format("--table takes one table type, such as {}; '{}' names {}",
+                                                types.front()->name, options.table, types.size()));
     }
     static_cast<void>(bench::select_algorithms(std::vector{options.algorithm}));
     auto runner = types.front()->make_runner(options.algorithm);
     if (!runner) {
         throw std::invalid_argument(
-            fmt::format("layout {} does not hold what {} needs", types.front()->name, options.algorithm));
+            fmt::format("table type {} does not hold what {} needs", types.front()->name, options.algorithm));
     }
-    // Answers are whole whatever is needed of them, but for nearness, which knows its margins.
-    const Needs needs = chosen_needs(options);
+    // Answers are complete whatever is needed of them, except nearness, which has its own margins.
+    const Needs needs = options.needs;
     runner->configure({.query = options.query,
                        .needs = needs == Needs::nearer ? needs : Needs::witnesses,
                        .margin = options.margin.value_or(bench::usual_margin)});
@@ -222,7 +215,7 @@ Asked ask(scene::CaseReader& reader, const Respondent& by, const QueryArguments&
 }
 
 int run_query(const QueryArguments& options, bool /*Json*/) {
-    static_cast<void>(chosen_needs(options));
+    check_needs(options);
     const Respondent by = chosen_respondent(options);
     std::ifstream file;
     if (options.cases != "-") {
@@ -251,10 +244,10 @@ void add_query(CLI::App& app, Context& context) {
         add_command(app, context, "query", "Answers for given pairs, one JSON line each", run_query);
     command->add_option("cases", options.cases, "case file, one JSON object per line; - reads stdin")
         ->required();
-    command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
-    command->add_option("--layout", options.layout, "table type, such as aos_f64")->capture_default_str();
-    command->add_option("--needs", options.needs, fmt::format("{}", fmt::join(needs_names, ", ")))
-        ->capture_default_str();
+    add_algorithm_option(*command, options.algorithm);
+    add_table_option(*command, options.table, "--table,--layout");
+    add_needs_option(
+        *command, [&needs = options.needs](Needs asked) { needs = asked; }, options.needs);
     add_margin_option(*command, options.margin);
     add_sub_distance_option(*command, options.query.sub_distance);
     add_number(*command, "--contact-tolerance", options.query.contact_tolerance, input::from_0,

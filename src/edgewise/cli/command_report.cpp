@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise report`: the pages of a store, written anew.
+// `edgewise report`: writes the pages of a store again.
 #include <fmt/format.h>
 
 #include <memory>
 #include <stdexcept>
 
 #include "edgewise/bench/build_info.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
@@ -109,8 +108,8 @@ int run_report(const ReportArguments& options, bool json) {
 
 void add_report(CLI::App& app, Context& context) {
     auto [command, options] = add_command(app, context, "report", "Writes the report of a store", run_report);
-    command->add_option("store", options.store, "store of a sweep")->capture_default_str();
-    command->add_option("--out", options.out, "folder for the report; beside the store if not given");
+    add_read_store_option(*command, options.store);
+    command->add_option("--out", options.out, "folder to write: the report; the store's folder if not given");
     CLI::Option* const compare = command->add_option(
         "--compare", options.compare,
         "what changed since this other store, regressions first: printed, and a chapter of the report");
@@ -118,8 +117,8 @@ void add_report(CLI::App& app, Context& context) {
         ->add_flag("--explain", options.explain, "what each change is made of, and which causes are excluded")
         ->needs(compare);
     command->add_flag("--gate", options.gate, "exit code 1 where something became worse")->needs(compare);
-    add_number(*command, "--slack", options.slack, {0, 10}, "a time may become longer by this part of itself")
-        ->needs(compare);
+    add_slack_option(*command, options.slack, "")->needs(compare);
+    add_claims(*command, context);
 }
 
 }  // namespace edgewise::cli

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise scaling`: queries per second of one cell over threads that share tables, and over threads that
-// each have their own.
+// `edgewise bench scaling`: queries per second of one cell over threads that share tables, and over threads
+// that each have their own.
 #include <fmt/format.h>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
@@ -58,7 +57,7 @@ void print(const studies::Scaling& scaling, const ScalingArguments& options) {
                                   "#own tables: queries per s = apart/queries_per_second 1 0|"
                                   "#speed-up = apart/speed_up|#efficiency = apart/efficiency|#contention"));
     fmt::print(
-        "Medians of {} rounds. Contention: a thread's time beside the others, over its time alone. {} answers were "
+        "Medians of {} rounds. Contention: a thread's time while the others run, over its time alone. {} answers were "
         "checked exactly; {} passes gave the single queries' sum to the bit.\n",
         options.rounds, scaling.checked, scaling.passes);
 }
@@ -83,15 +82,15 @@ int run_scaling(const ScalingArguments& options, bool json) {
 
 }  // namespace
 
-void add_scaling(CLI::App& app, Context& context) {
+void add_scaling(CLI::App& bench, Context& context) {
     auto [command, options] = add_command(
-        app, context, "scaling",
+        bench, context, "scaling",
         "Queries per second over threads that share tables, and over threads with their own", run_scaling);
     add_cell_options(*command, options.cell);
-    add_count(*command, "--checked", options.cell.checked, input::queries_range, "queries checked exactly");
+    add_checked_option(*command, options.cell.checked);
     add_count(*command, "--threads", options.threads, {0, 1'000'000, "threads"},
               "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores");
-    add_count(*command, "--rounds", options.rounds, {1, 1000, "rounds"}, "rounds; medians are printed");
+    add_rounds_option(*command, options.rounds, {1, 1000, "rounds"});
 }
 
 }  // namespace edgewise::cli

@@ -9,10 +9,7 @@
 #include <map>
 #include <memory>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
-#include "edgewise/cli/parts/shard_options.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -27,24 +24,23 @@ namespace {
 
 struct StabilityArguments {
     std::string store = default_store, shard, costs;
-    std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, meshes;
+    std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, shapes;
     std::size_t count = 200, proofs = 200;
     std::uint64_t seed = 1;
     bool as_stored = false;
 };
 
-/// Hulls of these mesh files, or of the usual ones, of which those that cannot be read are passed over; none
-/// where no family asks for them.
+/// The named bodies, or hulls of the usual mesh files, of which those that cannot be read are passed over;
+/// none where no family asks for them.
 std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     const auto& families = options.families;
-    if (options.meshes.empty() && !families.empty() &&
+    if (options.shapes.empty() && !families.empty() &&
         std::ranges::find(families, studies::real_family) == families.end())
         return {};
     sweep::Plan plan = sweep::make_plan("quick");
     plan.shapes.clear();
-    if (!options.meshes.empty()) {
-        plan.meshes = options.meshes;
-        plan.meshes_required = true;
+    if (!options.shapes.empty()) {
+        take_bodies(options.shapes, plan);
         plan.as_stored = options.as_stored;
     }
     std::vector<Polyhedron> bodies;
@@ -126,18 +122,16 @@ void add_stability(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "stability",
                     "Hard cases through every algorithm and table type, judged exactly", run_stability);
-    add_names(*command, "--families", options.families, "only these families (edgewise list families)");
-    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
-    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
-    CLI::Option* const mesh =
-        command->add_option("--mesh", options.meshes, "mesh files for the family of real hulls");
-    add_as_stored_option(*command, options.as_stored)->needs(mesh);
+    add_families_option(*command, options.families);
+    add_layouts_option(*command, options.layouts);
+    add_algorithms_option(*command, options.algorithms);
+    add_shapes_option(*command, options.shapes, options.as_stored);
     add_count(*command, "--count", options.count, input::cases_range, "poses per family");
     add_count(*command, "--proofs", options.proofs, input::cases_or_none,
               "poses per family with depth, certificate and time, at most");
-    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the generators");
+    add_seed_option(*command, options.seed);
     add_shard_options(*command, options.shard, options.costs);
-    command->add_option("--store", options.store, "SQLite file to write into")->capture_default_str();
+    add_store_option(*command, options.store, "filled or resumed")->capture_default_str();
 }
 
 }  // namespace edgewise::cli

@@ -9,12 +9,9 @@
 #include <optional>
 
 #include "edgewise/bench/build_info.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/run_note.hpp"
-#include "edgewise/cli/parts/shard_options.hpp"
 #include "edgewise/cli/parts/sweep_parts.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"
@@ -32,8 +29,7 @@ struct SweepArguments {
     std::string store;  ///< empty: the usual one
     std::string out, shard, costs;
     bool fom = false;
-    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, meshes, caches, machines,
-        probes;
+    std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, caches, machines, probes;
     std::optional<std::size_t> queries, checked;
     std::optional<int> rounds;
     std::optional<std::size_t> stability, effort;
@@ -42,7 +38,7 @@ struct SweepArguments {
     const CLI::App* command = nullptr;  ///< what was typed
 };
 
-/// "sweep --plan paper --rounds 5": what was typed, but for where things go; in the order of the help text.
+/// "sweep --plan paper --rounds 5": what was typed, except where results go; in the order of the help text.
 std::string command_line(const CLI::App& command) {
     std::string line = command.get_name();
     for (const CLI::Option* option : command.get_options()) {
@@ -58,15 +54,14 @@ std::string command_line(const CLI::App& command) {
 }
 
 /// A sweep of chosen scenes or bodies is about those: no study unless asked for.
-bool narrowed(const SweepArguments& options) {
-    return !options.scenes.empty() || !options.shapes.empty() || !options.meshes.empty();
-}
+bool narrowed(const SweepArguments& options) { return !options.scenes.empty() || !options.shapes.empty(); }
 
 /// What would be left unused in silence.
 void refuse_unused(const SweepArguments& options) {
-    if (options.each_mesh && options.meshes.empty())
-        throw std::invalid_argument("--each-mesh is of --mesh: name mesh files, or leave it out");
-    if (options.as_stored && options.meshes.empty() && options.scenes.empty())
+    const bool has_files = std::ranges::any_of(options.shapes, scene::names_mesh_file);
+    if (options.each_mesh && !has_files)
+        throw std::invalid_argument("--each-mesh is of mesh files: name some with --shape, or leave it out");
+    if (options.as_stored && !has_files && options.scenes.empty())
         throw std::invalid_argument("--as-stored is of mesh files: name some, or leave it out");
     const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
     if (!options.machines.empty() && !some_caches)
@@ -77,7 +72,7 @@ void refuse_unused(const SweepArguments& options) {
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
 /// would restrict it to.
 sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& options) {
-    if (!options.shapes.empty() || !options.meshes.empty()) scene.shapes.clear();
+    if (!options.shapes.empty()) scene.shapes.clear();
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
     if (options.queries) scene.queries = 0;
@@ -92,7 +87,7 @@ void narrow_studies(const SweepArguments& options, sweep::Plan& plan) {
     if (options.effort) plan.studies["effort"] = *options.effort;
 }
 
-/// The plan with the command line's filters over it. Naming shapes or meshes replaces the plan's bodies.
+/// The plan with the command line's filters over it. Naming shapes replaces the plan's bodies.
 sweep::Plan chosen_plan(const SweepArguments& options) {
     sweep::Plan plan = sweep::make_plan(options.plan);
     const auto replace = [](auto& to, const auto& from) {
@@ -105,10 +100,9 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);
     replace(plan.axes, options.axes);
-    if (!options.shapes.empty() || !options.meshes.empty()) {
-        plan.shapes = options.shapes;
-        plan.meshes = options.meshes;
-        plan.meshes_required = plan.bodies_for_files = true;
+    if (!options.shapes.empty()) {
+        take_bodies(options.shapes, plan);
+        plan.bodies_for_files = true;
         plan.each_mesh = options.each_mesh;
     }
     plan.as_stored = plan.as_stored || options.as_stored;
@@ -192,7 +186,7 @@ int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, con
     return nothing || cells.failed + rows.failed > 0 ? exit_check_failed : exit_done;
 }
 
-/// A part's own folder is made where nobody named one.
+/// Returns false for a part without --store: its folder is made for it.
 bool names_store(const SweepArguments& options, const sweep::Shard& shard) {
     return shard.is_whole() || !options.store.empty();
 }
@@ -250,39 +244,34 @@ void add_sweep(CLI::App& app, Context& context) {
     options.command = command;
     command->add_option("--plan", options.plan, "quick, paper, full, peers, or a JSON file")
         ->capture_default_str();
-    command->add_option("--store", options.store, "SQLite file to fill or to resume")
-        ->default_str(default_store);
-    command->add_option("--out", options.out, "folder for the report; beside the store if not given");
-    add_names(*command, "--layouts", options.layouts, "only these layouts or table types");
-    add_names(*command, "--algorithms", options.algorithms, "only these algorithms");
+    add_store_option(*command, options.store, "filled or resumed")->default_str(default_store);
+    command->add_option("--out", options.out, "folder to write: the report; the store's folder if not given");
+    add_layouts_option(*command, options.layouts);
+    add_algorithms_option(*command, options.algorithms);
     command->add_flag("--no-report", options.no_report, "fill the store and write no report")
         ->excludes(command->get_option("--out"));
-    add_names(*command, "--peers", options.peers, "these libraries beside them, or all that are built");
+    add_peers_option(*command, options.peers);
     add_names(*command, "--axes", options.axes,
-              "these axes beside the plain cells, such as gap_tolerance=1e-06");
+              "these axes in addition to the plain cells, such as gap_tolerance=1e-06");
     add_names(*command, "--scenes", options.scenes,
               "only these scenes: kinds, scene files, or your own NAME.json");
-    add_names(*command, "--shapes", options.shapes, "these built-in shapes instead of the plan's bodies");
+    add_shapes_option(*command, options.shapes, options.as_stored);
     add_names(*command, "--caches", options.caches, "model caches for cells of these shapes, or all");
-    add_names(*command, "--machines", options.machines,
-              "whose caches: names, host, NAME.json, or sizes as in l2=256K,l3=8M");
+    add_machines_option(*command, options.machines);
     add_names(*command, "--probes", options.probes,
               "measure cells by these probes alone (edgewise list probes)");
-    command->add_option("--mesh", options.meshes, "these mesh files instead of the plan's bodies");
     command->add_flag("--each-mesh", options.each_mesh,
                       "one body for each mesh of a file, not one for the file");
-    add_as_stored_option(*command, options.as_stored);
-    add_count(*command, "--queries", options.queries, input::queries_range, "queries per cell and round");
-    add_count(*command, "--checked", options.checked, input::queries_range,
-              "queries checked exactly per cell");
-    add_count(*command, "--rounds", options.rounds, input::rounds_range, "timed rounds per cell");
+    add_queries_option(*command, options.queries);
+    add_checked_option(*command, options.checked);
+    add_rounds_option(*command, options.rounds, input::rounds_range);
     add_count(*command, "--stability", options.stability, input::cases_or_none,
               "hard cases per family; 0: no stability run");
     add_count(*command, "--effort", options.effort, input::queries_or_none,
               "queries counted by Callgrind per cell; 0: none");
     add_shard_options(*command, options.shard, options.costs);
     command->add_flag("--fom", options.fom, "print figures of merit too: FOM name = value unit");
-    add_count(*command, "--seed", options.seed, input::seed_range, "seed of scenes and orders");
+    add_seed_option(*command, options.seed);
 }
 
 }  // namespace edgewise::cli

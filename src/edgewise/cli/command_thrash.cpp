@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise thrash`: which mechanisms, memories and costs of a fault could have made the paper's figure 8,
-// and three of them made real.
+// `edgewise paging thrash`: which mechanisms, memories and costs of a fault could have made the paper's
+// figure 8, and three of them made real.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
@@ -192,14 +191,15 @@ int run_thrash(const ThrashArguments& options, bool json) {
 
 }  // namespace
 
-void add_thrash(CLI::App& app, Context& context) {
+void add_thrash(CLI::App& paging, Context& context) {
     auto [command, options] = add_command(
-        app, context, "thrash",
+        paging, context, "thrash",
         "What could have made the paper's figure 8: every combination of what it leaves open, scored",
         run_thrash);
     thrash::Levels& levels = options.levels;
-    command->add_option("--layouts", levels.tables, "table types")->delimiter(',');
-    add_count(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"}, "numbers of bodies");
+    add_layouts_option(*command, levels.tables);
+    add_count(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"},
+              "how many bodies; every number is tried");
     add_count(*command, "--memory", levels.memories_mib, {1, 100'000, "MiB"}, "memories, MiB");
     add_number(*command, "--fault-ns", levels.fault_costs_ns, {1, 1e9, "ns"}, "costs of a fault, ns");
     add_count(*command, "--steps", levels.steps, {12, 10'000, "steps"},
@@ -207,7 +207,7 @@ void add_thrash(CLI::App& app, Context& context) {
     add_count(*command, "--realised", options.realised, {0, 100, "cells"},
               "how many cells are made real; 0: none");
     add_number(*command, "--wait", options.wait_s, {0.01, 100, "seconds"}, "of each realised point, s");
-    add_count(*command, "--seed", levels.seed, input::seed_range, "seed of the scenes");
+    add_seed_option(*command, levels.seed);
 }
 
 }  // namespace edgewise::cli

@@ -21,8 +21,7 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/usage/examples.hpp"
-#include "edgewise/cli/usage/slips.hpp"
+#include "edgewise/cli/usage/usage.hpp"
 
 namespace {
 
@@ -30,10 +29,9 @@ using namespace edgewise::cli;
 
 /// In the order of the help text.
 constexpr void (*commands[])(CLI::App&, Context&) = {
-    add_sweep,  add_advise,  add_budget,  add_thrash,    add_stability, add_merge,  add_campaign,
-    add_report, add_export,  add_compare, add_additions, add_bytes,     add_draw,   add_query,
-    add_judge,  add_machine, add_heat,    add_caches,    add_lock,      add_paging, add_crosscheck,
-    add_effort, add_fields,  add_scaling, add_calibrate, add_bench,     add_pass,   add_list};
+    add_sweep,   add_advise, add_stability, add_merge, add_campaign, add_report,  add_export,
+    add_compare, add_bytes,  add_draw,      add_query, add_judge,    add_machine, add_caches,
+    add_lock,    add_paging, add_fields,    add_bench, add_pass,     add_list};
 
 /// Fills the places of standard streams that the caller closed. The next file that is opened would take such
 /// a place, and printed text would be written into it.
@@ -73,6 +71,19 @@ std::string version_text() {
                        build.compiler);
 }
 
+/// Options of tests and of the installation, which --help does not show.
+void add_hidden_options(CLI::App& app, bool& parse_only) {
+    app.add_flag("--parse-only", parse_only, "reads the command line and does nothing")->group("");
+    app.add_option_function<std::string>(
+           "--print",
+           [&app](const std::string& name) {
+               fmt::print("{}", manual_text(app, name));
+               throw CLI::Success();
+           },
+           "prints a text on all commands: options, man, bash, zsh or fish")
+        ->group("");
+}
+
 /// The exit code; `problem` is what to say on stderr, if there is something.
 int run(int argc, char** argv, std::string& problem) {
     CLI::App app{"Edgewise: memory- and cache-focused profiling of convex collision detection"};
@@ -81,10 +92,9 @@ int run(int argc, char** argv, std::string& problem) {
     app.set_version_flag("--version", version_text, "Version, revision and compiler");
     app.failure_message(one_line);
     bool parse_only = false;
-    app.add_flag("--parse-only", parse_only, "reads the command line and does nothing")->group("");
+    add_hidden_options(app, parse_only);
     Context context;
     for (const auto add : commands) add(app, context);
-    add_examples(app);
     try {
         app.parse(argc, argv);
         return parse_only ? exit_done : context.action();

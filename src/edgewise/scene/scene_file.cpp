@@ -155,15 +155,11 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
 
 /// A built-in body, or the body of a mesh file in the scene file's folder.
 NamedShape shape_called(const std::string& name, const SceneFileContext& context, std::string& warning) {
-    if (!names_mesh_file(name)) {
-        auto body = make_shape(name);
-        if (!body) throw Fault{"shapes: " + body.error};
-        return {name, "built-in", *std::move(body), {}};
-    }
-    auto shapes = mesh_shapes((context.folder / name).string(), {.as_stored = context.as_stored});
-    if (!shapes) throw Fault{"shapes: " + shapes.error};
-    warning += (warning.empty() ? "" : "; ") + shapes.warning;
-    return std::move(shapes->front());
+    auto shape = named_shape(names_mesh_file(name) ? (context.folder / name).string() : name,
+                             {.as_stored = context.as_stored});
+    if (!shape) throw Fault{"shapes: " + shape.error};
+    if (!shape.warning.empty()) warning += (warning.empty() ? "" : "; ") + shape.warning;
+    return *std::move(shape);
 }
 
 std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& context, std::string& warning) {

@@ -7,8 +7,8 @@
 
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::studies {
 
@@ -44,14 +44,19 @@ bench::RunnerOptions options_of(const CellChoice& choice, const bench::TableOpti
     return options;
 }
 
+scene::NamedShape shape_of(const CellChoice& choice) {
+    auto shape = scene::named_shape(choice.shape, {.as_stored = choice.as_stored});
+    if (!shape.warning.empty() && choice.warn) choice.warn(shape.warning);
+    return std::move(shape).or_throw();
+}
+
 std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
-    const scene::NamedShape shape{choice.shape, "built-in", scene::make_shape(choice.shape).or_throw(), {}};
     sweep::Plan plan;
     plan.queries = choice.queries;
     plan.seed = choice.seed;
     plan.checked = choice.checked;
     return std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{choice.scene, choice.parameters},
-                                                  shape);
+                                                  shape_of(choice));
 }
 
 }  // namespace
@@ -65,7 +70,7 @@ SingleCell::SingleCell(const CellChoice& choice, const bench::TableOptions& plac
 }
 
 store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, const std::string& run) {
-    const Polyhedron body = scene::make_shape(choice.shape).or_throw();
+    const scene::NamedShape shape = shape_of(choice);
     store::CellRow row;
     row.run = run;
     row.scene = choice.scene;
@@ -73,13 +78,13 @@ store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, co
         bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
     if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")
         row.axes = fmt::format("sub_distance={}", to_string(choice.sub_distance));
-    row.shape = choice.shape;
-    row.shape_source = "built-in";
+    row.shape = shape.name;
+    row.shape_source = shape.source;
     row.algorithm = choice.algorithm;
     row.seed = choice.seed;
     row.queries = static_cast<std::int64_t>(choice.queries);
-    bench::describe_cell(row, type, body);
-    bench::name_cell(row, body);
+    bench::describe_cell(row, type, shape.body);
+    bench::name_cell(row, shape.body);
     return row;
 }
 

@@ -3,6 +3,7 @@
 // Prepares one cell outside any sweep, for commands that examine a single cell.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ struct CellChoice {
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;  ///< GJK's
     std::string peer = {};    ///< another library, as for select_peer_types, instead of table and algorithm
     std::size_t checked = 0;  ///< answers to be compared with exact ones
+    bool as_stored = false;   ///< of a shape that is a mesh file (scene::MeshReading)
+    std::function<void(const std::string&)> warn = {};  ///< called with what is odd about the mesh file
 };
 
 class SingleCell {

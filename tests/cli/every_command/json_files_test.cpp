@@ -30,8 +30,8 @@ Arguments and_then(Arguments words, const Arguments& more) {
 
 const Arguments of_small_sweep = {"--layouts", "aos_f64", "--queries", "50",   "--checked",  "10",
                                   "--rounds",  "2",       "--store",   "s.db", "--no-report"};
-const Arguments of_gate = {"bench",     "--gate", "x.json",    "--rounds", "9",
-                           "--queries", "50",     "--layouts", "aos_f64"};
+const Arguments of_gate = {"bench",     "gate", "x.json",    "--rounds", "9",
+                           "--queries", "50",   "--layouts", "aos_f64"};
 const Arguments of_campaign = {"campaign", "--pairs",   "50",      "--families", "random", "--shapes",
                                "cube8",    "--layouts", "aos_f64", "--state",    "x.json"};
 

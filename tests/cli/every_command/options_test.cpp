@@ -32,8 +32,9 @@ TEST(RealOptions, AreReadByOneReader) {
             if (option.type.find("NUMBER") == option.type.npos) continue;
             ++options;
             const auto given = [&](const std::string& number) {
-                return run({"--parse-only", command, option.name + "=" + with_number(option.type, number)},
-                           folder);
+                return run(
+                    called("--parse-only " + command, {option.name + "=" + with_number(option.type, number)}),
+                    folder);
             };
             EXPECT_THAT(given("0.5").err + given("7").err,
                         testing::Not(testing::AllOf(HasSubstr("'0.5' wants"), HasSubstr("'7' wants"))))
@@ -58,7 +59,8 @@ TEST(RealOptions, SayUnitAndRange) {
                 HasSubstr("--time 'nan' wants a decimal number of seconds, 5 to 3600"));
     EXPECT_THAT(complaint({"query", "x", "--gap-tolerance", "1"}),
                 HasSubstr("wants a decimal number, 0 to 0.999"));
-    EXPECT_THAT(complaint({"budget", "--tolerance", "0"}), HasSubstr("wants a decimal number, above 0"));
+    EXPECT_THAT(complaint({"advise", "budget", "--tolerance", "0"}),
+                HasSubstr("wants a decimal number, above 0"));
     EXPECT_THAT(complaint({"paging", "--limits", "4,nan"}),
                 HasSubstr("--limits 'nan' wants a decimal number of MiB"));
     EXPECT_THAT(complaint({"query", "x", "--contact-tolerance", "-1"}), HasSubstr("0 or more"));

@@ -28,8 +28,8 @@ struct Writer {
 
 const std::map<std::string, Writer> writers = {
     {"export --out", {{"export", "s.db"}}},
-    {"caches --write", {{"caches", "--shape", "cube8", "--queries", "200"}}},
-    {"fields --write",
+    {"caches --out", {{"caches", "--shape", "cube8", "--queries", "200"}}},
+    {"fields --out",
      {{"fields", "--shape", "cube8", "--queries", "50", "--rounds", "9", "--checked", "5"}, true}},
     {"fields --svg", {{"fields", "--shape", "cube8", "--queries", "50", "--rounds", "9", "--checked", "5"}}},
     {"campaign --state",
@@ -39,14 +39,20 @@ const std::map<std::string, Writer> writers = {
      {{"campaign", "--pairs", "50", "--families", "random", "--shapes", "cube8", "--layouts", "aos_f64"},
       false}},
     {"merge --out", {{"merge", "s.db"}, false}},
-    {"bench --gate",
-     {{"bench", "--rounds", "9", "--queries", "50", "--layouts", "aos_f64"}, true, {"--write"}}},
+    {"advise budget --out",
+     {{"advise", "budget", "--shape", "sphere38", "--vertices", "20", "--table", "aos_f64"}}},
+    {"bench gate",
+     {{"bench", "gate", "--rounds", "9", "--queries", "50", "--layouts", "aos_f64"}, true, {"--write"}}},
+    {"draw heat --svg", {{"draw", "heat", "--shape", "cube8", "--queries", "20"}}},
+    {"draw layout --svg", {{"draw", "layout", "aos_f64", "--shape", "tetra4"}}},
 };
 
 Arguments writing(const std::string& option, const std::string& file) {
     const Writer& writer = writers.at(option);
     Arguments words = writer.arguments;
-    words.insert(words.end(), {option.substr(option.find("--")), file});
+    if (const std::size_t dashes = option.find("--"); dashes != option.npos)
+        words.push_back(option.substr(dashes));
+    words.push_back(file);
     words.insert(words.end(), writer.more.begin(), writer.more.end());
     return words;
 }
@@ -169,8 +175,7 @@ TEST(OutputFile, ThatIsAStoreIsNoDeviceAndNoFolder) {
             if (option.name != "--store") continue;
             ++stores;
             for (const std::string& name : names) {
-                Arguments words = {command};
-                words.insert(words.end(), printing().at(command).begin(), printing().at(command).end());
+                Arguments words = called(command, printing().at(command));
                 std::erase(words, "--store");
                 std::erase_if(words, [](const std::string& word) { return word.ends_with(".db"); });
                 words.insert(words.end(), {"--store", "there/" + name});
@@ -191,9 +196,9 @@ TEST(OutputFile, OnAFullDiskLeavesTheOldOneAndNoOther) {
     fill(folder);
     fs::create_directory(folder / "there");
     for (const auto& [option, writer] : writers) {
-        // Shorter than that is what `fields --write` has; `export` reads a store, which has larger files of
+        // The file of `fields --out` is shorter; `export` reads a store, which has larger files of
         // its own.
-        if (!writer.is_text || option == "fields --write" || option == "export --out") continue;
+        if (!writer.is_text || option == "fields --out" || option == "export --out") continue;
         folder.write("there/file", "as it was\n");
         const Outcome outcome = run_in_shell("trap '' XFSZ; ulimit -f 1; \"$0\" \"$@\" >/dev/null",
                                              writing(option, "there/file"), folder);
@@ -209,7 +214,7 @@ TEST(OutputFile, ThatIsNotFinishedIsRemovedAtCtrlC) {
     const Folder folder;
     fs::create_directory(folder / "there");
     Process process(program_path,
-                    {"caches", "--queries", "1000000", "--shape", "cube8", "--write", "there/file"}, folder);
+                    {"caches", "--queries", "1000000", "--shape", "cube8", "--out", "there/file"}, folder);
     for (int i = 0; i < 600 && names_in(folder / "there").empty() && !process.has_ended(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_THAT(names_in(folder / "there"), testing::ElementsAre(HasSubstr("file.")));

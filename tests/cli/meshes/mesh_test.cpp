@@ -51,7 +51,7 @@ std::string collada_box() {
 /// Every command that reads a mesh file, as short as it can be.
 std::vector<Arguments> commands_on(const std::string& file) {
     return {{"bytes", "--mesh", file, "--layouts", "lean_f64"},
-            {"budget", "--mesh", file, "--table", "lean_f64"},
+            {"advise", "budget", "--mesh", file, "--table", "lean_f64"},
             {"judge", "--a", file, "--b", file, "--layouts", "lean_f64"},
             {"lock", "--shape", file, "--table", "lean_f64", "--queries", "10"},
             {"sweep", "--mesh", file, "--scenes", "static", "--layouts", "aos_f64", "--queries", "4",
@@ -145,8 +145,8 @@ TEST(Mesh, AnObjIsReadInDouble) {
         if (command[0] == "advise") continue;
         EXPECT_THAT(run(command, folder).err, Not(HasSubstr("single precision"))) << command[0];
     }
-    const json budget =
-        json::parse(run({"budget", "--mesh", "utm.obj", "--tolerance", "0.001", "--json"}, folder).out);
+    const json budget = json::parse(
+        run({"advise", "budget", "--mesh", "utm.obj", "--tolerance", "0.001", "--json"}, folder).out);
     EXPECT_NEAR(budget["size"].get<double>(), utm_size, 1e-6);
     EXPECT_EQ(budget["read_in"], "double");
     EXPECT_EQ(budget["answer"]["vertices"], 8);
@@ -169,7 +169,7 @@ TEST(Mesh, SaysThatSinglePrecisionIsTooCoarse) {
             testing::Contains(HasSubstr("utm.ply: read in single precision, whose steps of 0.5 there")))
             << command[0];
     }
-    const Arguments budget = {"budget", "--mesh", "utm.ply", "--tolerance", "0.001"};
+    const Arguments budget = {"advise", "budget", "--mesh", "utm.ply", "--tolerance", "0.001"};
     std::string text = run(budget, folder).out;
     std::ranges::replace(text, '\n', ' ');
     EXPECT_THAT(text,
@@ -234,7 +234,7 @@ TEST(Budget, WritesASmallerBodyThatIsReadBack) {
                                        {"--vertices", "4"},
                                        {"--vertices", "100", "--tolerance", "0.01"},
                                        {"--vertices", "1000"}}) {
-            Arguments command = {"budget", "--out", "reduced.obj", "--json"};
+            Arguments command = {"advise", "budget", "--out", "reduced.obj", "--json"};
             command.insert(command.end(), body.begin(), body.end());
             command.insert(command.end(), limit.begin(), limit.end());
             const Outcome outcome = run(command, folder);
@@ -255,14 +255,16 @@ TEST(Budget, WritesASmallerBodyThatIsReadBack) {
 
 TEST(Budget, SaysThatACountIsNotEnoughForATolerance) {
     const Folder folder;
-    const Arguments command = {"budget", "--shape", "sphere98", "--vertices", "8", "--tolerance", "0.001"};
+    const Arguments command = {"advise",     "budget", "--shape",     "sphere98",
+                               "--vertices", "8",      "--tolerance", "0.001"};
     const Outcome outcome = run(command, folder);
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.out, HasSubstr("at 0.001 and at most 8 vertices: 8 vertices are not enough"));
-    EXPECT_EQ(run({"budget", "--shape", "cube8", "--vertices", "3"}, folder).exit_code, 2);
-    EXPECT_EQ(run({"budget", "--shape", "cube8", "--out", "a.obj"}, folder).exit_code, 2);
+    EXPECT_EQ(run({"advise", "budget", "--shape", "cube8", "--vertices", "3"}, folder).exit_code, 2);
+    EXPECT_EQ(run({"advise", "budget", "--shape", "cube8", "--out", "a.obj"}, folder).exit_code, 2);
     EXPECT_EQ(
-        run({"budget", "--shape", "cube8", "--vertices", "4", "--out", "no/such/a.obj"}, folder).exit_code,
+        run({"advise", "budget", "--shape", "cube8", "--vertices", "4", "--out", "no/such/a.obj"}, folder)
+            .exit_code,
         2);
 }
 

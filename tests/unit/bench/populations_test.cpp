@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Lines per query three ways, of the same queries: as the probe `lines` counts them, as misses of a cache
-// that holds everything and is emptied before each query, and as `edgewise heat` counts them. Tables are one
-// for each body, so that no line is of both. They agree to the last line, of queries that start cold and
+// that holds everything and is emptied before each query, and as `edgewise draw heat` counts them. Tables are
+// one for each body, so that no line is of both. They agree to the last line, of queries that start cold and
 // warm.
 #include <gtest/gtest.h>
 

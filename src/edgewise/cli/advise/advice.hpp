@@ -16,7 +16,7 @@ namespace edgewise::cli {
 struct Advice {
     studies::advise::CaseAsked asked;
     std::string command;                ///< that asks for exactly this
-    std::vector<std::string> assumed;   ///< inputs that nobody gave
+    std::vector<std::string> assumed;   ///< inputs that were not given
     std::vector<std::string> machines;  ///< whose caches were asked about, as given
     studies::advise::Screen screen;
     Race race;

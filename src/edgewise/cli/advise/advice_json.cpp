@@ -37,7 +37,7 @@ AdviceJson asked_json(const Advice& advice) {
             {"assumed", advice.assumed},      {"seed", asked.seed}};
 }
 
-/// Of a body that its tables cannot hold nothing is known.
+/// Nothing is known of a body that its tables cannot hold.
 AdviceJson json_of(const studies::advise::ScreenedCell& cell) {
     AdviceJson json = {{"algorithm", cell.algorithm}, {"table", cell.type->name}, {"reason", cell.dropped}};
     const bool held = cell.table_bytes > 0;

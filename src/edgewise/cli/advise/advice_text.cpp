@@ -30,7 +30,7 @@ std::string table_bytes_text(const studies::advise::CaseAsked& asked, const Rank
                        can_share(asked) ? "in all" : "per table");
 }
 
-/// Label in a column of its own, the rest folded beside it.
+/// A label in a column of its own, and the rest folded next to it.
 std::string labelled(const std::string& label, const std::string& text) {
     constexpr std::size_t indent = 14;
     return fmt::format("  {:<11} {}\n", label, wrapped(text, widest_line - indent, indent));

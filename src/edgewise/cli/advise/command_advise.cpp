@@ -10,14 +10,10 @@
 #include <stdexcept>
 
 #include "edgewise/cli/advise/advice.hpp"
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
-#include "edgewise/input/known_names.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 
@@ -26,8 +22,9 @@ namespace edgewise::cli {
 namespace {
 
 struct AdviseArguments {
-    std::vector<std::string> meshes, machines;
-    std::string shape, scene, store, needs;
+    std::vector<std::string> machines;
+    std::string shape, scene, store;
+    std::optional<Needs> needs;
     std::optional<std::size_t> bodies, vertices;
     std::optional<double> turn;
     bool own = false, shared = false, as_stored = false;
@@ -35,7 +32,7 @@ struct AdviseArguments {
     std::uint64_t seed = 1;
 };
 
-// What is taken where it is not said.
+// Values of options that are not given.
 constexpr std::size_t usual_bodies = 100;
 constexpr double usual_turn = 0.1;
 constexpr const char* usual_shape = "sphere386";
@@ -43,31 +40,13 @@ constexpr Needs usual_needs = Needs::distance;
 
 constexpr input::CountRange population_range{2, 10'000, "bodies"}, vertices_range{4, 100'000, "vertices"};
 
-/// Of the built-in body that is asked about, if it is one.
-std::string shape_name(const AdviseArguments& options) {
+/// The body that is asked about: a built-in name, or a mesh file.
+std::string shape_asked(const AdviseArguments& options) {
     if (options.vertices) return fmt::format("sphere{}", *options.vertices);
     return options.shape.empty() ? usual_shape : options.shape;
 }
 
-scene::NamedShape chosen_shape(const AdviseArguments& options) {
-    if (!options.meshes.empty()) {
-        auto shapes = scene::mesh_shapes(options.meshes.front(), {.as_stored = options.as_stored});
-        if (!shapes.warning.empty()) warn(shapes.warning);
-        return std::move(shapes).or_throw().front();
-    }
-    const std::string name = shape_name(options);
-    return {name, "built-in", scene::make_shape(name).or_throw(), {}};
-}
-
-Needs chosen_needs(const std::string& name) {
-    const auto needs = needs_from(name);
-    if (!needs || *needs == Needs::nearer)
-        throw std::invalid_argument("--needs: " +
-                                    unknown_name("need", name, {needs_names.begin() + 1, needs_names.end()}));
-    return *needs;
-}
-
-/// Each input that nobody gave, with what stands in its place.
+/// Each input that was not given, with the value that is used instead.
 std::vector<std::string> assumptions(const AdviseArguments& options) {
     std::vector<std::string> assumed;
     if (options.scene.empty()) {
@@ -75,12 +54,12 @@ std::vector<std::string> assumptions(const AdviseArguments& options) {
             assumed.emplace_back(
                 "one table for all bodies (--own-tables: each has its own; the answer may flip)");
         if (!options.bodies) assumed.push_back(fmt::format("{} bodies (--bodies)", usual_bodies));
-        if (!options.vertices && options.shape.empty() && options.meshes.empty())
+        if (!options.vertices && options.shape.empty())
             assumed.push_back(
-                fmt::format("the body is {} (--mesh FILE, --shape NAME or --vertices)", usual_shape));
+                fmt::format("the body is {} (--shape NAME or FILE, or --vertices)", usual_shape));
         if (!options.turn)
             assumed.push_back(fmt::format("bodies turn by {} rad per step (--turn)", usual_turn));
-        if (options.needs.empty())
+        if (!options.needs)
             assumed.push_back(fmt::format("answers give the {} (--needs)", to_string(usual_needs)));
     }
     if (options.machines.empty())
@@ -88,7 +67,7 @@ std::vector<std::string> assumptions(const AdviseArguments& options) {
     return assumed;
 }
 
-/// Of a scene file its first point.
+/// Takes the first point of a scene file.
 void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked& asked) {
     auto file = scene::find_scene_file(options.scene);
     if (!file)
@@ -99,7 +78,7 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
     asked.shape = scene.shapes.front();
     if (asked.shape.source != "built-in")
         throw std::invalid_argument("--scene " + options.scene +
-                                    ": for a mesh write --mesh FILE, --bodies and --turn");
+                                    ": for a mesh write --shape FILE, --bodies and --turn");
     asked.scene = {scene.kind, scene.points.front().parameters};
     asked.needs = scene.needs;
     asked.own_tables =
@@ -113,8 +92,9 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
     studies::advise::CaseAsked asked;
     asked.needs = usual_needs;
     if (options.scene.empty()) {
-        asked.shape = chosen_shape(options);
-        if (!options.meshes.empty()) asked.mesh = options.meshes.front();
+        const std::string name = shape_asked(options);
+        asked.shape = chosen_shape({name, options.as_stored});
+        if (scene::names_mesh_file(name)) asked.mesh = name;
         asked.as_stored = options.as_stored;
         asked.scene = studies::advise::tumbling(options.bodies.value_or(usual_bodies),
                                                 options.turn.value_or(usual_turn));
@@ -124,12 +104,10 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
         if (options.own || options.shared) asked.own_tables = options.own;
     }
     static_cast<void>(scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw());
-    if (!options.needs.empty()) asked.needs = chosen_needs(options.needs);
+    if (options.needs) asked.needs = *options.needs;
     if (asked.needs == Needs::nearer)
         throw std::invalid_argument(
-            fmt::format("--scene {}: it asks who is nearer than a margin, which no advice is about; write "
-                        "--needs distance",
-                        options.scene));
+            "--needs nearer: no advice is about verdicts on a margin; write --needs distance");
     asked.error_limit = options.error;
     asked.seed = options.seed;
     return asked;
@@ -141,7 +119,7 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
     if (!options.scene.empty()) {
         text += " --scene " + options.scene;
     } else {
-        text += asked.mesh.empty() ? " --shape " + asked.shape.name : " --mesh " + asked.mesh;
+        text += " --shape " + (asked.mesh.empty() ? asked.shape.name : asked.mesh);
         if (asked.as_stored) text += " --as-stored";
         text += fmt::format(" --bodies {} --turn {}", options.bodies.value_or(usual_bodies),
                             options.turn.value_or(usual_turn));
@@ -153,12 +131,13 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
     return text + fmt::format(" --seed {}", asked.seed);
 }
 
-/// What a store says already.
+/// Answers from what a store has already.
 int answer_from_store(const AdviseArguments& options, bool json) {
     reports::Question question;
     question.error_limit = options.error;
     if (options.own || options.shared) question.own_tables = options.own;
-    if (options.vertices || !options.shape.empty()) question.shape = shape_name(options);
+    if (options.vertices || !options.shape.empty())
+        question.shape = std::filesystem::path(shape_asked(options)).stem();
     const reports::ReportData data = reports::read_report(options.store);
     const reports::Answer answer = reports::answer_of(data, question);
     if (answer.scenes().empty())
@@ -179,8 +158,6 @@ int answer_from_store(const AdviseArguments& options, bool json) {
 
 int run_advise(const AdviseArguments& options, bool json) {
     if (!options.store.empty()) return answer_from_store(options, json);
-    if (options.meshes.size() > 1)
-        throw std::invalid_argument("--mesh: advice is about one body at a time; ask for each");
     Advice advice;
     advice.asked = case_asked(options);
     advice.assumed = assumptions(options);
@@ -202,18 +179,11 @@ void add_advise(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "advise",
                     "Which layout to take for your bodies, measured in less than a minute", run_advise);
-    CLI::Option* const mesh = command->add_option("--mesh", options.meshes, "mesh file of the body");
-    add_as_stored_option(*command, options.as_stored)->needs(mesh);
-    CLI::Option* const scene =
-        command->add_option("--scene", options.scene, "a scene file, NAME.json, for all else")
-            ->excludes(mesh);
-    CLI::Option* const shape =
-        command->add_option("--shape", options.shape, "a built-in shape instead (edgewise list shapes)")
-            ->excludes(mesh)
-            ->excludes(scene);
+    CLI::Option* const scene = command->add_option("--scene", options.scene,
+                                                   "scene: a file, NAME.json, instead of options on bodies");
+    CLI::Option* const shape = add_shape_option(*command, options.shape, options.as_stored)->excludes(scene);
     add_count(*command, "--vertices", options.vertices, vertices_range,
-              "a sphere of so many vertices instead")
-        ->excludes(mesh)
+              "how many vertices: a sphere with this number of them")
         ->excludes(scene)
         ->excludes(shape);
     add_count(*command, "--bodies", options.bodies, population_range, "how many bodies")->excludes(scene);
@@ -225,13 +195,13 @@ void add_advise(CLI::App& app, Context& context) {
     command->add_flag("--shared-tables", options.shared, "all bodies have one table")->excludes(own);
     add_number(*command, "--error", options.error, input::above_0,
                "largest error of a distance, over the size of the pair");
-    command->add_option("--needs", options.needs, "what is asked of every answer")
-        ->default_str(std::string(to_string(usual_needs)));
-    add_names(*command, "--machines,--machine", options.machines,
-              "whose caches are modelled: names, host, NAME.json, or sizes as in l2=256K,l3=8M");
+    add_needs_option(
+        *command, [&needs = options.needs](Needs asked) { needs = asked; }, usual_needs);
+    add_machines_option(*command, options.machines);
     add_number(*command, "--time", options.seconds, {5, 3600, "seconds"}, "seconds that it may take");
-    command->add_option("--store", options.store, "answer from this store, and measure nothing");
-    add_count(*command, "--seed", options.seed, input::seed_range, "seed of the scene");
+    add_store_option(*command, options.store, "the answer is read there, and nothing is measured");
+    add_seed_option(*command, options.seed);
+    add_budget(*command, context);
 }
 
 }  // namespace edgewise::cli

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise budget`: how few vertices a body can have. Hulls of some of its vertices, each with the exact
-// worst error of any distance to it, and what it takes in time, bytes and lines.
+// `edgewise advise budget`: how few vertices a body can have. Hulls of some of its vertices, each with the
+// exact worst error of any distance to it, and what it takes in time, bytes and lines.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <optional>
 #include <stdexcept>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/number_option.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
+#include "edgewise/cli/options.hpp"
+#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
@@ -195,17 +194,17 @@ int run_budget(const BudgetArguments& options, bool json) {
 
 }  // namespace
 
-void add_budget(CLI::App& app, Context& context) {
+void add_budget(CLI::App& advise, Context& context) {
     auto [command, options] = add_command(
-        app, context, "budget",
+        advise, context, "budget",
         "How few vertices a body can have, and the exact worst error of distances then", run_budget);
-    add_body_options(*command, options.body);
+    add_shape_option(*command, options.body.shape, options.body.as_stored);
     add_number(*command, "--tolerance", options.tolerance, input::above_0,
                "largest error of any distance, in the body's unit");
     add_count(*command, "--vertices", options.vertices, budget_range, "how many vertices at most");
-    command->add_option("--out", options.out, "OBJ file for the smaller body");
-    command->add_option("--table", options.table, "table type that is timed")->capture_default_str();
-    command->add_option("--algorithm", options.algorithm, "vclip or gjk")->capture_default_str();
+    add_output_file(*command, "--out", options.out, "file to write: the smaller body as OBJ");
+    add_table_option(*command, options.table);
+    add_algorithm_option(*command, options.algorithm);
 }
 
 }  // namespace edgewise::cli

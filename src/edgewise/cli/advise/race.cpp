@@ -20,7 +20,7 @@ using studies::advise::RacePlan;
 using studies::advise::ScreenedCell;
 
 /// Of the race's time, a process that models machines is planned to take one.
-constexpr double parts = 8;
+constexpr double parts_of_time = 8;
 
 constexpr const char* no_time = "no time was left (--time)";
 
@@ -77,7 +77,8 @@ class Running {
     /// fastest and the baseline.
     std::string model_named_machines() {
         sweep_.machines = named_;
-        while (expected_seconds(studies::advise::least_race) > seconds_ / parts && leave_out_slowest())
+        while (expected_seconds(studies::advise::least_race) > seconds_ / parts_of_time &&
+               leave_out_slowest())
             continue;
         std::string problem = model_within(seconds_ / 2);
         if (problem.empty()) return problem;
@@ -86,7 +87,7 @@ class Running {
     }
 
     std::string model_within(double seconds) {
-        const bool has_time = expected_seconds(studies::advise::whole_race) < seconds_ / parts;
+        const bool has_time = expected_seconds(studies::advise::whole_race) < seconds_ / parts_of_time;
         sweep_.rounds = (has_time ? studies::advise::whole_race : studies::advise::least_race).rounds;
         const RaceSweep chosen = sweep_of(cells_);
         sweep_.tables = chosen.tables;
@@ -94,7 +95,7 @@ class Running {
         return run_process(seconds);
     }
 
-    /// Of one process that traces.
+    /// Expected seconds of one process that traces.
     [[nodiscard]] double expected_seconds(const RacePlan& plan) const {
         const RaceCost one = cost_of(cells_, named_.size());
         return one.process + plan.rounds * one.round + one.traces;
@@ -151,7 +152,7 @@ class Running {
         }
     }
 
-    /// Of the asked machines and of this one; of a machine that does not tell its caches none.
+    /// Misses on the asked machines and on this one; a machine with unknown caches has none.
     void take_misses(const reports::ReportCell& cell, studies::advise::CacheCost& one) const {
         for (const measure::MachineChoice& choice : measure::choose_machines(sweep_.machines)) {
             if (!choice.machine.value) continue;

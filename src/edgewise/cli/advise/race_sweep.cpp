@@ -22,7 +22,7 @@ std::string comma_list(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, ","));
 }
 
-/// The same scene of three bodies with one table, as far as it knows such parameters.
+/// Returns the scene with three bodies and one table, if it has such parameters.
 sweep::SceneChoice in_cache(const CaseAsked& asked) {
     sweep::SceneChoice scene = asked.scene;
     const auto known = scene::complete_parameters(scene.name, {}).or_throw();

@@ -36,14 +36,14 @@ struct RaceSweep {
     std::vector<std::string> machines;            ///< to model the caches of
     std::size_t queries = 3000, checked = 100;
     int rounds = 0;
-    bool times_in_cache = false, traces = false;  ///< beside timing the case
+    bool times_in_cache = false, traces = false;  ///< in addition to timing the case
     std::string store;
 };
 
 /// Every table and algorithm of these cells.
 [[nodiscard]] RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells);
 
-/// The command; a process that has not ended after so many seconds is ended.
+/// Returns the command. It ends the process after this number of seconds.
 [[nodiscard]] std::vector<std::string> command_of(const RaceSweep& sweep,
                                                   const studies::advise::CaseAsked& asked,
                                                   const WorkFolder& folder, double seconds);

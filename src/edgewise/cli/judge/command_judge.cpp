@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "edgewise/bench/peers/peer_modules.hpp"
-#include "edgewise/cli/command.hpp"
 #include "edgewise/cli/judge/judge_input.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
@@ -56,7 +56,7 @@ struct Judged {
     studies::PairTruth truth;
     std::vector<studies::JudgedResponse> answers;
     std::optional<studies::SmallerPair> smaller;
-    std::vector<std::string> wrong;  ///< who
+    std::vector<std::string> wrong;  ///< names of those whose answers are wrong
 
     /// False if every answer was refused.
     [[nodiscard]] bool is_compared() const {
@@ -258,9 +258,10 @@ void add_judge(CLI::App& app, Context& context) {
         app, context, "judge",
         "A pair as people post it, and who is wrong about it; exit code 1 where somebody is", run_judge);
     add_judge_input(*command, options.input);
-    add_names(*command, "--layouts", options.layouts, "these layouts or table types; all if not given");
-    add_names(*command, "--algorithms", options.algorithms, "these algorithms; all if not given");
-    add_names(*command, "--peers", options.peers, "these libraries; all that are built if not given");
+    add_layouts_option(*command, options.layouts);
+    add_algorithms_option(*command, options.algorithms);
+    add_names(*command, "--peers", options.peers,
+              "these other libraries; every one that is built if not given");
     command
         ->add_option("--said", options.said,
                      "what a library printed, judged with the others; a depth is a negative distance")

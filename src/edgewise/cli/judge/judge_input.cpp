@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "edgewise/cli/command.hpp"
-#include "edgewise/cli/parts/chosen_body.hpp"
+#include "edgewise/cli/options.hpp"
 #include "edgewise/geometry/aabb.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
@@ -22,9 +21,10 @@ namespace edgewise::cli {
 
 namespace {
 
-/// Every point of the mesh, since a pair is judged as it was given to the last bit.
-scene::CaseBody body_from_mesh(const std::string& path, bool as_stored) {
-    return {path, mesh_body(path, as_stored, true).points, {}};
+/// Every point of a mesh file, because a pair is judged as it was given to the last bit; or a built-in body's
+/// vertices.
+scene::CaseBody body_called(const std::string& name, bool as_stored) {
+    return {name, chosen_body({name, as_stored && scene::names_mesh_file(name)}, true).points, {}};
 }
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
@@ -90,24 +90,23 @@ Json json_of(const Pose& pose) {
 void add_judge_input(CLI::App& command, JudgeInput& input) {
     CLI::Option* const text = command.add_option(
         "pair", input.text, "a file, or - for stdin: a case line, or what FCL or Drake printed");
-    CLI::Option* const a =
-        command.add_option("--a", input.mesh_a, "mesh file of the first body")->excludes(text);
-    CLI::Option* const b = command.add_option("--b", input.mesh_b, "mesh file of the second body");
-    add_as_stored_option(command, input.as_stored)->needs(a);
+    CLI::Option* const a = add_shape_option(command, input.body_a, input.as_stored, "--a")->excludes(text);
+    CLI::Option* const b = add_shape_option(command, input.body_b, input.as_stored, "--b");
+    command.get_option("--as-stored")->needs(a);
     a->needs(b);
     b->needs(a);
     command.add_option("--pose-a", input.pose_a, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
         ->type_name("NUMBERS")
         ->each(is_pose("--pose-a"))
         ->needs(a);
-    command.add_option("--pose-b", input.pose_b, "likewise of the second body")
+    command.add_option("--pose-b", input.pose_b, "x,y,z, or a matrix of 12 or 16 numbers, row by row")
         ->type_name("NUMBERS")
         ->each(is_pose("--pose-b"))
         ->needs(b);
 }
 
 scene::PastedPair read_judge_input(const JudgeInput& input) {
-    if (input.text.empty() && input.mesh_a.empty())
+    if (input.text.empty() && input.body_a.empty())
         throw std::invalid_argument(
             "no pair: name a file or - for stdin, or --a and --b; --template prints a case to fill in");
     if (!input.text.empty()) {
@@ -116,10 +115,10 @@ scene::PastedPair read_judge_input(const JudgeInput& input) {
             warn(fmt::format("{}: {}; the nearest rotation is used", input.text, pasted.warning));
         return std::move(pasted).or_throw();
     }
-    return {{"meshes", body_from_mesh(input.mesh_a, input.as_stored),
-             body_from_mesh(input.mesh_b, input.as_stored), pose_from(input.pose_a, "--pose-a"),
-             pose_from(input.pose_b, "--pose-b")},
-            "mesh files",
+    return {{"meshes", body_called(input.body_a, input.as_stored), body_called(input.body_b, input.as_stored),
+             pose_from(input.pose_a, "--pose-a"), pose_from(input.pose_b, "--pose-b")},
+            scene::names_mesh_file(input.body_a) && scene::names_mesh_file(input.body_b) ? "mesh files"
+                                                                                         : "named bodies",
             std::nullopt};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a sweep is to do and how far it came, kept in the store while it runs: a report then knows one that
+// The work of a sweep and how far it came, kept in the store while it runs: a report then knows one that
 // was stopped, and how many of its cells are missing.
 #pragma once
 

@@ -70,7 +70,7 @@ void store_seconds(const Part& part, double seconds, store::Store& store) {
     if (!part.study->parts) store.set_meta(store::took_key + part.name(), took);
 }
 
-/// Returns whether the study came to its end. Rows that it does not report are counted as resumed.
+/// Returns true if the study came to its end. Rows that it does not report count as resumed.
 bool run_part(const Part& part, const sweep::SweepWork& work, store::Store& store, sweep::TimeLeft& left,
               Progress& progress, StudyCounts& counts) {
     const measure::Stopwatch watch;

@@ -25,8 +25,8 @@ struct PartsSummary {
     [[nodiscard]] StudyCounts all_studies() const;
 };
 
-/// Ctrl-C stops after the piece in hand; what is stored stays. on_cells: is told how many cells more are
-/// there.
+/// Ctrl-C stops after the piece in hand; what is stored stays. on_cells: called with the number of cells more
+/// that are there.
 [[nodiscard]] PartsSummary run_parts(const sweep::SweepWork& work, store::Store& store,
                                      const std::function<void(std::size_t cells)>& on_cells);
 

@@ -51,7 +51,7 @@ std::string machines_text(const Json& entries) {
 std::string plans_text(const Json& entries) {
     Json rows = entries;
     for (Json& plan : rows) {
-        std::map<std::string, int> times;  // a scene may stand there with several parameters
+        std::map<std::string, int> times;  // a scene may be listed with several parameters
         for (const Json& scene : plan["scenes"])
             ++times[scene.get<std::string>().substr(0, scene.get<std::string>().find(' '))];
         plan["scenes"] = Json::array();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise effort --by-phase`: instructions, modelled mispredictions and misses per query and per step,
-// divided by the phases of the algorithm, and what runs once a query apart from what each step takes.
+// `edgewise bench effort --by-phase`: instructions, modelled mispredictions and misses per query and per
+// step, divided by the phases of the algorithm, and what runs once a query apart from what each step takes.
 #pragma once
 
 #include "edgewise/studies/phases/effort_phases.hpp"

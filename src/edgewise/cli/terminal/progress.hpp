@@ -15,9 +15,9 @@ namespace edgewise {
 
 struct ProgressState {
     std::size_t done = 0, total = 0;
-    std::size_t resumed = 0;          ///< of `done`, what an earlier run did; the estimate leaves it out
-    double seconds = 0;               ///< since the start of this run
-    bool even = true;                 ///< steps take about the same time each, which tells what is left
+    std::size_t resumed = 0;  ///< of `done`, what an earlier run did; the estimate leaves it out
+    double seconds = 0;       ///< since the start of this run
+    bool even = true;         ///< steps take about the same time each, from which the time left is estimated
     std::optional<double> left = {};  ///< s, of steps that are not even; nothing where that is not known
 };
 

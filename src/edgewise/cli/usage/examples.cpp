@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/usage/examples.hpp"
+#include "edgewise/cli/usage/usage.hpp"
 
 #include <fmt/format.h>
 
@@ -24,61 +24,63 @@ const std::string example_case = fmt::format(
 const std::map<std::string, Examples> examples = {
     {"advise",
      {"advise --shape sphere386 --bodies 300 --own-tables --error 1e-6 --machines l2=256K",
-      "advise --mesh my_link.stl --bodies 50 --shared-tables"}},
-    {"budget",
-     {"budget --mesh my_link.stl --tolerance 0.0001",
-      "budget --shape sphere386 --vertices 64 --out small.obj"}},
-    {"bench", {"bench --queries 2000", "bench --gate mine.json --write"}},
-    {"bytes", {"bytes --layouts aos_f64,lean_f64", "bytes --mesh my_link.stl --layouts lean"}},
+      "advise --shape my_link.stl --bodies 50 --shared-tables"}},
+    {"advise budget",
+     {"advise budget --shape my_link.stl --tolerance 0.0001",
+      "advise budget --shape sphere386 --vertices 64 --out small.obj"}},
+    {"bench", {"bench model --queries 2000", "bench gate mine.json --write"}},
+    {"bench calibrate", {"bench calibrate", "bench calibrate --json"}},
+    {"bench crosscheck",
+     {"bench crosscheck --table lean_f32", "bench crosscheck --table aos_f64 --machines l1=16K,l2=256K"}},
+    {"bench effort",
+     {"bench effort --layouts aos_f64,lean_f64", "bench effort --by-phase --scene cold --shape cube8"}},
+    {"bench gate", {"bench gate mine.json --write", "bench gate mine.json"}},
+    {"bench model", {"bench model --queries 2000", "bench model --scene cold --json"}},
+    {"bench scaling",
+     {"bench scaling --table lean_f64 --threads 2",
+      "bench scaling --scene pressure --parameter bodies=2000"}},
+    {"bytes", {"bytes --layouts aos_f64,lean_f64", "bytes --shape my_link.stl --layouts lean"}},
     {"caches",
-     {"caches --table lean_f32 --scene pressure --queries 2000 --write lean.din",
+     {"caches --table lean_f32 --scene pressure --queries 2000 --out lean.din",
       "caches --trace lean.din --machines zen5,l2=256K"}},
-    {"calibrate", {"calibrate", "calibrate --json"}},
-    {"claims", {"claims", "claims mine.db --diff theirs.db"}},
     {"campaign",
-     {"campaign --pairs 1e7", "campaign --pairs 1e6 --families random --shapes cube8 --layouts aos_f64"}},
+     {"campaign --pairs 1e7", "campaign --pairs 1e6 --families random --shape cube8 --layouts aos_f64"}},
     {"compare", {"compare old.db new.db", "compare docs/records/zen3.json mine.json"}},
-    {"crosscheck", {"crosscheck --table lean_f32", "crosscheck --table aos_f64 --machines l1=16K,l2=256K"}},
-    {"draw", {"draw layout lean_f32 > lean.svg", "draw layout aos_f64 --shape tetra4 > aos.svg"}},
-    {"effort", {"effort --layouts aos_f64,lean_f64", "effort --by-phase --scene cold --shape cube8"}},
+    {"draw", {"draw layout lean_f32 --svg lean.svg", "draw heat --table aos_f64 --queries 500"}},
+    {"draw heat",
+     {"draw heat --table aos_f64 --shape sphere386 --queries 500",
+      "draw heat --table lean_f32 --svg lean_heat.svg"}},
+    {"draw layout", {"draw layout lean_f32 > lean.svg", "draw layout aos_f64 --shape tetra4 --svg aos.svg"}},
     {"export",
      {"export --figures 'time.*' --out times.csv",
       "export mine.db --figures 'caches.*.step.*' --format json"}},
     {"fields", {"fields --table aos_f64 --scene tumble", "fields --table soa_f64 --algorithm gjk --json"}},
-    {"heat",
-     {"heat --table aos_f64 --shape sphere386 --queries 500", "heat --table lean_f32 --svg > lean_heat.svg"}},
     {"judge",
-     {"judge --template > pair.json", "judge --a link.obj --b wall.obj --pose-b 0.5,0,0 --said fcl=0.02",
+     {"judge --template > pair.json", "judge --a link.obj --b cube8 --pose-b 0.5,0,0 --said fcl=0.02",
       example_case.c_str()}},
     {"list", {"list layouts", "list machines --json"}},
     {"lock", {"lock --table lean_f32 --queries 200 > lean.lock.json", "lock --check lean.lock.json"}},
     {"machine", {"machine", "machine --json"}},
     {"merge", {"merge 0.db 1.db 2.db --out all.db", "merge parts/0.db parts/1.db --out all.db --fom"}},
     {"paging", {"paging", "paging --bodies 200 --json"}},
+    {"paging thrash", {"paging thrash", "paging thrash --json"}},
     {"query",
-     {"query cases.jsonl --algorithm gjk --layout aos_f64", "query - --needs certificate < cases.jsonl",
+     {"query cases.jsonl --algorithm gjk --table aos_f64", "query - --needs certificate < cases.jsonl",
       example_case.c_str()}},
     {"report", {"report", "report mine.db --out mine"}},
-    {"scaling", {"scaling --table lean_f64 --threads 2", "scaling --scene pressure --parameter bodies=2000"}},
+    {"report claims", {"report claims", "report claims mine.db --diff theirs.db"}},
     {"stability",
      {"stability --count 20 --layouts aos_f64", "stability --families slivers_and_needles --count 1000"}},
     {"sweep",
-     {"sweep --mesh my_link.stl --scenes tumble --layouts aos,lean",
+     {"sweep --shape my_link.stl --scenes tumble --layouts aos,lean",
       "sweep --scenes mine.json --caches all --machines l2=256K,l3=8M"}},
-    {"thrash", {"thrash", "thrash --json"}},
 };
-
-std::string footer(const Examples& of) {
-    return fmt::format("Examples:\n  edgewise {}\n  edgewise {}\n{}", of.first, of.second, of.more);
-}
 
 }  // namespace
 
-void add_examples(CLI::App& app) {
-    for (CLI::App* command : app.get_subcommands({})) {
-        const auto of = examples.find(command->get_name());
-        if (of != examples.end()) command->footer(footer(of->second));
-    }
+std::string examples_of(const std::string& path) {
+    const Examples& of = examples.at(path);
+    return fmt::format("Examples:\n  edgewise {}\n  edgewise {}\n{}", of.first, of.second, of.more);
 }
 
 }  // namespace edgewise::cli

@@ -43,7 +43,7 @@ void check_folder(const std::string& folder, const std::string& option) {
     const fs::path named = named_folder(folder), above = named.parent_path();
     if (fs::is_directory(named)) return;
     if (!above.empty() && !fs::is_directory(above))
-        throw std::invalid_argument(fmt::format("{} {}: there is no folder {}; make it, or mend the path",
+        throw std::invalid_argument(fmt::format("{} {}: there is no folder {}; make it, or correct the path",
                                                 option, folder, above.string()));
 }
 

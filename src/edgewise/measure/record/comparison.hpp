@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // An old record of figures against a new one, row by row. Every use of records, `edgewise compare`, `lock`,
-// `bench --gate`, `report --compare` and `claims --diff`, has this comparison, its text, its JSON and its
-// exit code.
+// `bench gate`, `report --compare` and `report claims --diff`, has this comparison, its text, its JSON and
+// its exit code.
 //
 // A figure with an interval is worse where the whole interval lies above the old one's by more than the
 // slack: noise widens intervals, and a difference inside them is no regression. An exact figure is worse

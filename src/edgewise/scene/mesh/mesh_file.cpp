@@ -204,4 +204,15 @@ Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, const MeshR
     return Shapes::success(std::move(shapes), bodies.warning);
 }
 
+Result<NamedShape> named_shape(const std::string& name, const MeshReading& reading) {
+    using Shape = Result<NamedShape>;
+    if (names_mesh_file(name)) {
+        auto shapes = mesh_shapes(name, reading);
+        return shapes ? Shape::success(std::move(shapes->front()), shapes.warning)
+                      : Shape::failure(shapes.error);
+    }
+    auto body = make_shape(name);
+    return body ? Shape::success({name, "built-in", *std::move(body), {}}) : Shape::failure(body.error);
+}
+
 }  // namespace edgewise::scene

@@ -44,12 +44,17 @@ struct MeshBody {
 /// digits back.
 inline constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 
-/// Returns true if a shape's name is that of a mesh file: built-in ones have no dot.
-[[nodiscard]] inline bool names_mesh_file(std::string_view shape) { return shape.find('.') != shape.npos; }
+/// Returns true if a shape's name is that of a mesh file: built-in ones have no dot and no slash.
+[[nodiscard]] inline bool names_mesh_file(std::string_view shape) {
+    return shape.find_first_of("./") != shape.npos;
+}
 
 /// The bodies under the names of their files, scaled by mesh_scale, with new hulls. The warning is that of
 /// read_mesh_file.
 [[nodiscard]] Result<std::vector<NamedShape>> mesh_shapes(const std::string& file,
                                                           const MeshReading& reading = {});
+
+/// Returns the built-in body of that name, or the first body of mesh_shapes if the name is that of a file.
+[[nodiscard]] Result<NamedShape> named_shape(const std::string& name, const MeshReading& reading = {});
 
 }  // namespace edgewise::scene

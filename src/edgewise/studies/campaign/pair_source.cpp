@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/scene/shapes.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/studies/campaign/poses.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
@@ -64,7 +64,7 @@ PairSource::PairSource(std::uint64_t seed, const std::vector<std::string>& famil
                        const std::vector<std::string>& shapes)
     : seed_(seed) {
     for (const std::string& family : families.empty() ? campaign_families() : families) add(family, shapes);
-    if (names_.empty()) throw std::invalid_argument("no family of pairs: name a shape with --shapes");
+    if (names_.empty()) throw std::invalid_argument("no family of pairs: name a body with --shape");
 }
 
 void PairSource::add(const std::string& family, const std::vector<std::string>& shapes) {
@@ -79,7 +79,7 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
     }
     for (const std::string& shape : shapes) {
         const std::string name = std::string(random_family) + " " + shape;
-        if (!shapes_.emplace(name, scene::make_shape(shape).or_throw()).second)
+        if (!shapes_.emplace(name, scene::named_shape(shape).or_throw().body).second)
             throw std::invalid_argument(fmt::format("shape '{}' is given twice: leave one out", shape));
         names_.push_back(name);
     }

@@ -62,6 +62,7 @@ std::vector<std::string> pass_command(const CellChoice& choice, const std::strin
     } else {
         add("--peer", choice.peer);
     }
+    if (choice.as_stored) command.emplace_back("--as-stored");
     if (choice.needs != Needs::witnesses) add("--needs", std::string(to_string(choice.needs)));
     if (choice.margin) add("--margin", fmt::format("{}", *choice.margin));
     if (choice.sub_distance != SubDistanceSolver::cofactors)

@@ -262,7 +262,7 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
     if (auto stored = plan.stored ? plan.stored(row.cell.hash) : std::nullopt) return *std::move(stored);
     if (family.name == real_family && plan.real.empty()) {
         row.cell.status = store::CellStatus::unavailable;
-        row.cell.reason = "no real meshes at hand: name some with --mesh";
+        row.cell.reason = "no real meshes here: name some with --shape";
         return row;
     }
     const bench::TableType& type = *subject.type;

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "edgewise/cli/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include "edgewise/cli/usage/folders.hpp"
+#include "edgewise/input/known_names.hpp"
+#include "edgewise/scene/shapes.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+template <class Value>
+Value accepted(const std::string& option, const Result<Value>& value) {
+    if (!value) throw CLI::ValidationError(fmt::format("{} {}", option, value.error));
+    return *value;
+}
+
+/// Takes what is odd about a file to stderr, and returns the body or throws.
+template <class Body>
+Body with_warning(Result<Body> body) {
+    if (!body.warning.empty()) warn(body.warning);
+    return std::move(body).or_throw();
+}
+
+CLI::Option* add_as_stored_option(CLI::App& command, bool& as_stored) {
+    return command.add_flag("--as-stored", as_stored,
+                            "leave out the turn and the scale that a COLLADA file names (up axis, unit)");
+}
+
+void refuse_unused(const BodyChoice& choice) {
+    if (choice.as_stored && !scene::names_mesh_file(choice.shape))
+        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+}
+
+constexpr const char* shape_type = "NAME|FILE";
+
+}  // namespace
+
+void take_parameter(const std::string& text, scene::SceneParameters& parameters) {
+    const std::size_t equals = text.find('=');
+    const auto number = equals == std::string::npos ? Result<double>::failure("no =")
+                                                    : input::parse_number(text.substr(equals + 1));
+    if (!number)
+        throw CLI::ValidationError(fmt::format("--parameter {}: {}; write NAME=NUMBER", text, number.error));
+    parameters[text.substr(0, equals)] = *number;
+}
+
+std::uint64_t value_of(const std::string& option, const std::string& text, const input::CountRange& range) {
+    return accepted(option, input::parse_count(text, range));
+}
+
+double value_of(const std::string& option, const std::string& text, const input::NumberRange& range) {
+    return accepted(option, input::parse_number(text, range));
+}
+
+CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& to,
+                       const char* what) {
+    return command.add_option(option, to, what)->delimiter(',');
+}
+
+CLI::Option* add_table_option(CLI::App& command, std::string& table, const char* names) {
+    return command.add_option(names, table, "one table type (edgewise list layouts)")->capture_default_str();
+}
+
+CLI::Option* add_layouts_option(CLI::App& command, std::vector<std::string>& layouts) {
+    return add_names(command, "--layouts", layouts, "only these layouts or table types, such as aos,soa_f32");
+}
+
+CLI::Option* add_algorithm_option(CLI::App& command, std::string& algorithm) {
+    return command.add_option("--algorithm", algorithm, "vclip or gjk")->capture_default_str();
+}
+
+CLI::Option* add_algorithms_option(CLI::App& command, std::vector<std::string>& algorithms) {
+    return add_names(command, "--algorithms", algorithms, "only these algorithms");
+}
+
+CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers) {
+    return add_names(command, "--peers", peers, "these other libraries too; all: every one that is built");
+}
+
+CLI::Option* add_machines_option(CLI::App& command, std::vector<std::string>& machines) {
+    return add_names(command, "--machines,--machine", machines,
+                     "machines whose caches are modelled: names (edgewise list machines), host, your own "
+                     "NAME.json, or sizes such as l2=256K,l3=8M");
+}
+
+CLI::Option* add_families_option(CLI::App& command, std::vector<std::string>& families) {
+    return add_names(command, "--families", families,
+                     "only these families of pairs (edgewise list families)");
+}
+
+CLI::Option* add_read_store_option(CLI::App& command, std::string& store) {
+    return command.add_option("store,--store", store, "store (an SQLite file): read")->capture_default_str();
+}
+
+CLI::Option* add_store_option(CLI::App& command, std::string& store, const std::string& what) {
+    return command.add_option("--store", store, "store (an SQLite file): " + what);
+}
+
+CLI::Option* add_svg_option(CLI::App& command, std::string& file) {
+    return add_output_file(command, "--svg", file, "file to write: the picture as SVG");
+}
+
+CLI::Option* add_shape_option(CLI::App& command, std::string& shape, bool& as_stored, const char* names) {
+    if (!command.get_option_no_throw("--as-stored")) add_as_stored_option(command, as_stored);
+    return command.add_option(names, shape, "body: built in (edgewise list shapes), or a mesh file")
+        ->type_name(shape_type)
+        ->capture_default_str();
+}
+
+CLI::Option* add_shapes_option(CLI::App& command, std::vector<std::string>& shapes, bool& as_stored) {
+    add_as_stored_option(command, as_stored);
+    return add_names(command, "--shape,--shapes,--mesh", shapes,
+                     "only these bodies: built in (edgewise list shapes), or mesh files")
+        ->type_name(shape_type);
+}
+
+void take_bodies(const std::vector<std::string>& shapes, sweep::Plan& plan) {
+    plan.shapes.clear();
+    plan.meshes.clear();
+    for (const std::string& name : shapes)
+        (scene::names_mesh_file(name) ? plan.meshes : plan.shapes).push_back(name);
+    plan.meshes_required = true;
+}
+
+scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat) {
+    refuse_unused(choice);
+    if (!scene::names_mesh_file(choice.shape)) {
+        Polyhedron body = scene::make_shape(choice.shape).or_throw();
+        return {choice.shape, body, body.vertices};
+    }
+    return std::move(with_warning(scene::read_mesh_file(choice.shape, {scene::MeshGrouping::one_hull,
+                                                                       choice.as_stored, takes_flat}))
+                         .front());
+}
+
+scene::NamedShape chosen_shape(const BodyChoice& choice) {
+    refuse_unused(choice);
+    return with_warning(scene::named_shape(choice.shape, {.as_stored = choice.as_stored}));
+}
+
+CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters) {
+    return command
+        .add_option_function<std::vector<std::string>>(
+            "--parameter",
+            [&parameters](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) take_parameter(text, parameters);
+            },
+            "parameters of the scene")
+        ->type_name("NAME=NUMBER");
+}
+
+void add_needs_option(CLI::App& command, std::function<void(Needs)> take, Needs usual) {
+    command
+        .add_option_function<std::string>(
+            "--needs",
+            [take = std::move(take)](const std::string& name) {
+                const auto needs = needs_from(name);
+                if (!needs)
+                    throw CLI::ValidationError(
+                        "--needs: " + unknown_name("need", name, {needs_names.begin(), needs_names.end()}));
+                take(*needs);
+            },
+            fmt::format("what is asked of every answer: {}", fmt::join(needs_names, ", ")))
+        ->default_str(std::string(to_string(usual)));
+}
+
+void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
+    const std::string known = fmt::format("{}", fmt::join(sub_distance_solver_names, ", "));
+    command.add_option_function<std::string>(
+        "--sub-distance",
+        [&solver, known](const std::string& name) {
+            const auto named = sub_distance_solver_from(name);
+            if (!named)
+                throw CLI::ValidationError(
+                    "--sub-distance: " +
+                    unknown_name("solver", name,
+                                 {sub_distance_solver_names.begin(), sub_distance_solver_names.end()}));
+            solver = *named;
+        },
+        fmt::format("how GJK solves its simplices: {} [{}]", known, to_string(solver)));
+}
+
+void add_margin_option(CLI::App& command, std::optional<double>& margin) {
+    add_number(command, "--margin", margin, input::above_0,
+               fmt::format("of --needs nearer: the distance asked about, over the larger body's extent "
+                           "(else {})",
+                           bench::usual_margin));
+}
+
+CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
+    return command.add_option("--scene", scene, "scene: a kind (edgewise list scenes)")
+        ->capture_default_str();
+}
+
+void add_cell_options(CLI::App& command, studies::CellChoice& choice) {
+    add_table_option(command, choice.table);
+    add_algorithm_option(command, choice.algorithm);
+    add_scene_options(command, choice);
+}
+
+void add_scene_options(CLI::App& command, studies::CellChoice& choice) {
+    choice.warn = warn;
+    add_scene_option(command, choice.scene);
+    add_shape_option(command, choice.shape, choice.as_stored);
+    add_queries_option(command, choice.queries);
+    add_seed_option(command, choice.seed);
+    add_parameter_option(command, choice.parameters);
+    add_needs_option(
+        command, [&choice](Needs needs) { choice.needs = needs; }, choice.needs);
+    add_margin_option(command, choice.margin);
+    add_sub_distance_option(command, choice.sub_distance);
+}
+
+void add_shard_option(CLI::App& command, std::string& shard) {
+    command.add_option("--shard", shard,
+                       "this part of it alone: i/n, from 0/n on; auto or auto/n: the part that a scheduler's "
+                       "environment says");
+}
+
+void add_shard_options(CLI::App& command, std::string& shard, std::string& costs) {
+    add_shard_option(command, shard);
+    command.add_option("--costs", costs,
+                       "store of an earlier run, whose seconds make parts even; the same for all");
+}
+
+sweep::Shard chosen_shard(const std::string& text) {
+    if (text.empty()) return {};
+    return sweep::parse_shard(text, [](const char* name) -> const char* { return std::getenv(name); })
+        .or_throw();
+}
+
+}  // namespace edgewise::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+//
+// Options that several commands have. Each has its name and its text here, so that it means the same in every
+// command. Numbers are read as plans and scene files read theirs (input/count.hpp): no option leaves its
+// number to CLI11, which takes nan, inf, 0x10, ' 5' and '+5'.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "edgewise/cli/command.hpp"
+#include "edgewise/input/count.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
+#include "edgewise/studies/single_cell.hpp"
+#include "edgewise/sweep/plan.hpp"
+#include "edgewise/sweep/shard.hpp"
+
+namespace edgewise::cli {
+
+/// Returns the number. Throws CLI::ValidationError with the option's name, its text and the valid range.
+[[nodiscard]] std::uint64_t value_of(const std::string& option, const std::string& text,
+                                     const input::CountRange& range);
+[[nodiscard]] double value_of(const std::string& option, const std::string& text,
+                              const input::NumberRange& range);
+
+template <class Value>
+inline constexpr bool is_vector = false;
+template <class Value>
+inline constexpr bool is_vector<std::vector<Value>> = true;
+
+/// An option with one number (a number or std::optional of it), or with several (std::vector), which commas
+/// may separate.
+template <class To, class Range>
+CLI::Option* add_value(CLI::App& command, const std::string& names, To& to, const Range& range,
+                       const std::string& what, const char* type) {
+    const std::string name = names.substr(0, names.find(','));
+    CLI::Option* const option = command.add_option_function<std::vector<std::string>>(
+        names,
+        [&to, name, range](const std::vector<std::string>& texts) {
+            if constexpr (is_vector<To>) {
+                to.clear();
+                for (const std::string& text : texts)
+                    to.push_back(static_cast<typename To::value_type>(value_of(name, text, range)));
+            } else if constexpr (std::is_arithmetic_v<To>) {
+                to = static_cast<To>(value_of(name, texts.front(), range));
+            } else {
+                to = static_cast<typename To::value_type>(value_of(name, texts.front(), range));
+            }
+        },
+        what);
+    if constexpr (is_vector<To>)
+        option->delimiter(',');
+    else
+        option->expected(1);
+    if constexpr (std::is_arithmetic_v<To>) option->default_str(fmt::format("{}", to));
+    return option->type_name(type);
+}
+
+template <class To>
+CLI::Option* add_count(CLI::App& command, const std::string& names, To& to, const input::CountRange& range,
+                       const std::string& what) {
+    return add_value(command, names, to, range, what, "COUNT");
+}
+
+template <class To>
+CLI::Option* add_number(CLI::App& command, const std::string& names, To& to, const input::NumberRange& range,
+                        const std::string& what) {
+    return add_value(command, names, to, range, what, "NUMBER");
+}
+
+template <class To>
+CLI::Option* add_seed_option(CLI::App& command, To& seed) {
+    return add_count(command, "--seed", seed, input::seed_range, "seed of scenes, orders and generators");
+}
+template <class To>
+CLI::Option* add_queries_option(CLI::App& command, To& queries,
+                                const input::CountRange& range = input::queries_range) {
+    return add_count(command, "--queries", queries, range, "queries per cell in each pass");
+}
+template <class To>
+CLI::Option* add_checked_option(CLI::App& command, To& checked) {
+    return add_count(command, "--checked", checked, input::queries_range, "queries checked exactly per cell");
+}
+template <class To>
+CLI::Option* add_rounds_option(CLI::App& command, To& rounds, const input::CountRange& range) {
+    return add_count(command, "--rounds", rounds, range, "interleaved rounds of timing");
+}
+template <class To>
+CLI::Option* add_slack_option(CLI::App& command, To& slack, const std::string& usual) {
+    return add_number(command, "--slack", slack, {0, 10},
+                      "a time may become longer by this part of itself" + usual);
+}
+
+/// An option of several names, which commas may separate as well as blanks.
+CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& to, const char* what);
+
+/// --table: one table type; also with its earlier name.
+CLI::Option* add_table_option(CLI::App& command, std::string& table, const char* names = "--table");
+/// --layouts: several of them.
+CLI::Option* add_layouts_option(CLI::App& command, std::vector<std::string>& layouts);
+CLI::Option* add_algorithm_option(CLI::App& command, std::string& algorithm);
+CLI::Option* add_algorithms_option(CLI::App& command, std::vector<std::string>& algorithms);
+CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers);
+/// --machines: whose caches are modelled.
+CLI::Option* add_machines_option(CLI::App& command, std::vector<std::string>& machines);
+/// --families of hard cases.
+CLI::Option* add_families_option(CLI::App& command, std::vector<std::string>& families);
+
+/// A store as an argument, or as --store.
+CLI::Option* add_read_store_option(CLI::App& command, std::string& store);
+/// --store of a command that also runs without one, or writes it.
+CLI::Option* add_store_option(CLI::App& command, std::string& store, const std::string& what);
+
+/// --svg FILE.
+CLI::Option* add_svg_option(CLI::App& command, std::string& file);
+
+/// One body, built in or from a mesh file, and --as-stored; --mesh is another name of --shape.
+CLI::Option* add_shape_option(CLI::App& command, std::string& shape, bool& as_stored,
+                              const char* names = "--shape,--mesh");
+/// Several bodies.
+CLI::Option* add_shapes_option(CLI::App& command, std::vector<std::string>& shapes, bool& as_stored);
+/// Takes these bodies instead of the plan's; their files must be readable.
+void take_bodies(const std::vector<std::string>& shapes, sweep::Plan& plan);
+
+/// One body of a command that needs no scene.
+struct BodyChoice {
+    std::string shape = "sphere386";
+    bool as_stored = false;  ///< of a mesh file (scene::MeshReading)
+};
+
+/// The body, or the hull of the mesh file in its own size; a flat one if `takes_flat`. Warns of what is odd
+/// about a file; throws std::invalid_argument: what, where, what to do.
+[[nodiscard]] scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat = false);
+/// The body as scenes have it: that of a mesh file is scaled as in a sweep.
+[[nodiscard]] scene::NamedShape chosen_shape(const BodyChoice& choice);
+
+/// Options that name one cell, for commands that look at one. The choice must live until the command's action
+/// is done.
+void add_cell_options(CLI::App& command, studies::CellChoice& choice);
+/// Those of its scene alone.
+void add_scene_options(CLI::App& command, studies::CellChoice& choice);
+CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
+
+/// --parameter NAME=NUMBER, as often as wanted.
+CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters);
+/// "rotation_step=0.1"; throws CLI::ValidationError.
+void take_parameter(const std::string& text, scene::SceneParameters& parameters);
+
+/// --needs: what is asked of every answer.
+void add_needs_option(CLI::App& command, std::function<void(Needs)> take, Needs usual);
+/// --sub-distance: how GJK solves its simplices, by name.
+void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver);
+/// --margin: what --needs nearer asks about.
+void add_margin_option(CLI::App& command, std::optional<double>& margin);
+
+/// --shard: a part of work that is divided over processes.
+void add_shard_option(CLI::App& command, std::string& shard);
+/// --shard and --costs.
+void add_shard_options(CLI::App& command, std::string& shard, std::string& costs);
+/// Returns the shard that --shard names; the whole if it is empty. Throws std::invalid_argument.
+[[nodiscard]] sweep::Shard chosen_shard(const std::string& text);
+
+}  // namespace edgewise::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// Texts on how commands are called: the line after a mistake, examples, the manual page, the table of
+// options and what shells complete.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace edgewise::cli {
+
+/// Returns one line on what is wrong with a command line, which known name was probably meant, and what
+/// there is. For CLI::App::failure_message.
+[[nodiscard]] std::string one_line(const CLI::App* app, const CLI::Error& problem);
+
+/// Options of a command that --help shows, as "--shape"; every name of each.
+[[nodiscard]] std::vector<std::string> option_names(const CLI::App& command);
+/// Names of the commands directly below that --help lists.
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
+
+/// Returns the end of a command's --help: two command lines that can be typed as they are. `path`: the words
+/// that call the command.
+[[nodiscard]] std::string examples_of(const std::string& path);
+
+/// Names of the texts that manual_text returns.
+inline constexpr const char* manual_texts[] = {"options", "man", "bash", "zsh", "fish"};
+
+/// Returns one text on all commands: a table of options in Markdown, the manual page in roff, or a completion
+/// script for a shell.
+[[nodiscard]] std::string manual_text(const CLI::App& app, const std::string& name);
+
+}  // namespace edgewise::cli
