@@ -10,7 +10,7 @@ template <class Columns>
 void for_each_column(Columns& columns, const ReportData& data, const ReportCell& cell) {
     columns.text("build", data.build.id);
     columns.text("hash", cell.hash);
-    columns.text("run", std::string(to_string(cell.run)));
+    columns.text("run", cell.run);
     columns.text("scene", cell.scene);
     columns.text("scene_parameters", cell.scene_parameters);
     columns.text("shape", cell.shape);
