@@ -91,7 +91,7 @@ void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell) {
 nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell) {
     return {{"build", data.build.id},
             {"hash", cell.hash},
-            {"run", to_string(cell.run)},
+            {"run", cell.run},
             {"scene", cell.scene},
             {"scene_parameters", cell.scene_parameters},
             {"shape", cell.shape},
