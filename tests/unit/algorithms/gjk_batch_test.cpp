@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -76,20 +75,6 @@ TYPED_TEST(GjkBatches, AskOneByOneForJohnsonsSearch) {
             EXPECT_TRUE(crowd.single_pairs[i] == crowd.batch_pairs[i]) << i;
         }
     }
-}
-
-TYPED_TEST(GjkBatches, AreTheSameInTwoThreads) {
-    PairCrowd<TypeParam> crowd(2000);
-    const std::vector<Distance> expected = crowd.one_by_one({});
-    std::vector<Distance> answers(2000);
-    const auto part = [&](std::size_t first, std::size_t count) {
-        query_batch<TypeParam, TypeParam>(std::span(crowd.queries).subspan(first, count),
-                                          std::span(answers).subspan(first, count));
-    };
-    std::thread other([&] { part(0, 977); });
-    part(977, 1023);
-    other.join();
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
 }
 
 /// Answers of a batch are those of single queries, to the bit.
