@@ -135,7 +135,10 @@ void add_effort(CLI::App& bench, Context& context) {
     add_algorithms_option(*command, options.algorithms);
     CLI::Option* peers = add_peers_option(*command, options.peers);
     add_checked_option(*command, options.cell.checked);
-    add_machines_option(*command, options.machines)->expected(1)->default_str(studies::effort_machine);
+    add_machines_option(*command, options.machines)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->default_str(studies::effort_machine);
     CLI::Option* store =
         add_store_option(*command, options.store, "rows are added, and those it has are left as they are");
     command

@@ -54,7 +54,7 @@ CLI::Option* add_value(CLI::App& command, const std::string& names, To& to, cons
     if constexpr (is_vector<To>)
         option->delimiter(',');
     else
-        option->expected(1);
+        option->expected(1)->allow_extra_args(false);
     if constexpr (std::is_arithmetic_v<To>) option->default_str(fmt::format("{}", to));
     return option->type_name(type);
 }

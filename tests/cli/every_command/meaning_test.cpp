@@ -37,6 +37,8 @@ TEST(Body, IsABuiltInNameOrAMeshFileInEveryCommand) {
             EXPECT_EQ(option.name, "--shape") << command;
             ++commands;
             for (const std::string body : {"cube8", "box.obj"}) {
+                std::filesystem::remove_all(folder /
+                                            "reports");  // the progress of a campaign with another body
                 Arguments words = with_body(called(command, printing().at(command)), option.name, body);
                 if (command == "advise") words.insert(words.begin(), "--parse-only");
                 const Outcome outcome = run(words, folder);

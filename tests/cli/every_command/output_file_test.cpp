@@ -42,7 +42,7 @@ const std::map<std::string, Writer> writers = {
     {"advise budget --out",
      {{"advise", "budget", "--shape", "sphere38", "--vertices", "20", "--table", "aos_f64"}}},
     {"bench gate",
-     {{"bench", "gate", "--rounds", "9", "--queries", "50", "--layouts", "aos_f64"}, true, {"--write"}}},
+     {{"bench", "gate", "--layouts", "aos_f64", "--rounds", "9", "--queries", "50"}, true, {"--write"}}},
     {"draw heat --svg", {{"draw", "heat", "--shape", "cube8", "--queries", "20"}}},
     {"draw layout --svg", {{"draw", "layout", "aos_f64", "--shape", "tetra4"}}},
 };
