@@ -85,7 +85,7 @@ class ChapterWriter {
         folds_.push_back({{"html", html}, {"grids", places}});
         return fmt::format(
             "<details data-fold=\"{}\"><summary>{}</summary><p class=\"waiting note\">Made by a script when it "
-            "is opened; results/ beside this page has the same figures.</p></details>\n",
+            "is opened; results/ next to this page has the same figures.</p></details>\n",
             folds_.size() - 1, html_text(line));
     }
 

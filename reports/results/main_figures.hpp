@@ -33,7 +33,7 @@ namespace edgewise::reports {
 
 /// Adds the names of the columns that name a cell.
 void add_identity_header(CsvRow& row);
-/// Adds the values of these columns for a cell.
+/// Adds the values of a cell in the columns of add_identity_header.
 void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell);
 /// Returns the columns that name a cell as members of an object, in their order.
 [[nodiscard]] nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell);

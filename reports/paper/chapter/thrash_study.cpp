@@ -247,8 +247,8 @@ std::string settled_paragraph(const ReportData& data) {
 
 TextGrid mechanism_grid(const ReportData& data) {
     TextGrid grid{
-        "What could have made figure 8: settings (bodies x memory x cost of a fault) where its facts "
-        "hold, modelled",
+        "Possible causes of figure 8: settings (bodies x memory x cost of a fault) where its facts "
+        "hold in the model",
         columns_of("mechanism|table type, time step|processor|#settings|#rises|#takes as long|"
                    "#spares GJK|#erratic|#all|#most at once|#rise there|#us there|#GJK there")};
     for (const ThrashRow& row : thrash_rows(data)) {

@@ -2,9 +2,9 @@
 //
 // Finds the cells that a claim is about and takes figures from them as evidence. A cell that is not stored,
 // was not verified or lacks the figure gives the reason instead of a number. How a quantity grows: the
-// exponent of a power law through a curve, and whether a logarithm fits it better. And the claims by theme,
-// with what their rules have in common: which tables represent the paper's two programs, and which of our
-// speeds are in the range of which figure.
+// exponent of a power law through a curve, and whether a logarithm fits it better. Also holds the claims by
+// theme and the common parts of their rules: the tables that represent the paper's two programs, and the
+// speeds of our scenes that lie in the range of each figure.
 #pragma once
 
 #include <string>
@@ -106,16 +106,16 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
                                                    const std::string& algorithm, const CurveRange& steps);
 /// The reason when there are none.
 [[nodiscard]] std::string no_angular_cells(int vertices);
-/// Returns the cell of these scenes at the slowest speed above 0, which is the most coherent motion.
+/// Returns the cell of scenes paper_angular_* at the slowest speed above 0, the most coherent motion.
 [[nodiscard]] const ReportCell* slowest_cell(const ReportData& data, int vertices,
                                              const std::string& algorithm);
-/// Its figure, or its time; none where there is no such cell.
+/// Returns a figure, or the time, of slowest_cell; none if there is no slowest cell.
 [[nodiscard]] Evidence slowest_figure(const ReportData& data, int vertices, const std::string& algorithm,
                                       const store::FigureName& name);
 [[nodiscard]] Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm);
 
-/// A part for each of these sizes: its label and the shape, what `of` gives for the vertices, the same
-/// wanted.
+/// Returns one part for each of `angular_sizes`: the label followed by the shape, the result of `of` for
+/// the number of vertices, and `wanted`.
 template <class Of>
 [[nodiscard]] PartList by_size(const std::string& label, const Of& of, const WantedBand& wanted) {
     PartList parts;
