@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# Environment: EDGEWISE_LAYOUTS builds only the named layouts ("distinct": layouts that differ widely; "": all layouts);
-# EDGEWISE_PEERS=ON adds adapters of other libraries; EDGEWISE_PEER_FOLDERS has the folders of libraries without a package.
+# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("distinct": those that differ widely; "": all layouts);
+# EDGEWISE_PEERS=ON adds adapters of other libraries; EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu

@@ -136,7 +136,7 @@ void note_places(const ChartJson& values, std::vector<std::string>& notes) {
     }
 }
 
-/// By vertices.
+/// Returns the shapes of all panels, ordered by vertices.
 ChartJson shapes_drawn(const Fronts& fronts) {
     std::set<std::pair<std::int64_t, std::string>> shapes;
     for (const FrontPanel& panel : fronts.panels) shapes.emplace(panel.vertices, panel.shape);

@@ -2,8 +2,8 @@
 //
 // Which figures are a cell's main ones: those of the vocabulary that are one figure, not a family with one
 // for each structure, field, step or size; and of families over machines, misses and the time of memory.
-// Breakdowns stay in the store; `edgewise export` writes them. And the columns that name a cell in files of
-// results.
+// Breakdowns stay in the store; `edgewise export` writes them. Also defines the columns that name a cell in
+// files of results.
 #pragma once
 
 #include <cstddef>

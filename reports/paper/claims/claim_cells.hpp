@@ -39,10 +39,10 @@ struct CurveRange {
     double low = 0, high = 0;
 };
 
-/// The first verified one, else the first; null when there is none.
+/// Returns the first verified cell with this key, else the first; null if the key has no cell.
 [[nodiscard]] const ReportCell* find_cell(const ReportData& data, const CellKey& key);
-/// In order of x: a number of the scene's parameters, or "vertices". Bodies in a new random orientation each
-/// step have no place on an axis of speeds and are left out.
+/// Returns cells in order of x: a number of the scene's parameters, or "vertices". Bodies with random
+/// orientations in each step have no place on an axis of speeds and are left out.
 [[nodiscard]] std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key,
                                                  const std::string& parameter);
 [[nodiscard]] std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const CurveRange& range);
@@ -104,7 +104,7 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
 /// One of the scenes paper_angular_*: speeds in a figure's range.
 [[nodiscard]] std::vector<CurveCell> angular_cells(const ReportData& data, int vertices,
                                                    const std::string& algorithm, const CurveRange& steps);
-/// The reason when there are none.
+/// Returns the reason if angular_cells is empty.
 [[nodiscard]] std::string no_angular_cells(int vertices);
 /// Returns the cell of scenes paper_angular_* at the slowest speed above 0, the most coherent motion.
 [[nodiscard]] const ReportCell* slowest_cell(const ReportData& data, int vertices,

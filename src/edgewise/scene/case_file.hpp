@@ -39,7 +39,7 @@ struct Case {
 /// which matrix was replaced by the nearest rotation, and how far it was from one.
 [[nodiscard]] Result<Case> parse_case(std::string_view line, const std::string& where, std::string& id);
 
-/// A body of a million vertices has no more; what is longer is no line but a stream without end.
+/// Enough for a body of a million vertices; longer input is a stream without end, not a line.
 inline constexpr std::size_t most_line_bytes = std::size_t{256} << 20;
 
 /// Reads the stream case by case; blank lines are passed over.
