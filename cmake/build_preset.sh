@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# In the environment: EDGEWISE_LAYOUTS, these layouts only ("distinct": those that differ widely; "" all);
-# EDGEWISE_FULL_TESTS=ON, with the tests that only tests/run full has; EDGEWISE_PEERS=ON, with adapters of other libraries;
-# EDGEWISE_PEER_FOLDERS, the folders of those without a package.
+# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("distinct": those that differ widely; "": all layouts);
+# EDGEWISE_FULL_TESTS=ON adds the tests that only tests/run full has; EDGEWISE_PEERS=ON adds adapters of other libraries;
+# EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu

@@ -3,7 +3,7 @@
 # Shortens builds: ccache, precompiled headers and unity builds.
 
 # If ccache is installed, it keeps compiled objects, also for other clones. Its key is the preprocessed text with names
-# relative to the clone, the compiler, and the options that -march=native stands for: objects of another processor are
+# relative to the clone, the compiler, and the options that -march=native expands to: objects of another processor are
 # not used. Precompiled headers come from the cache too, so they contain no header of Edgewise: the compiler would not
 # recognise a header of another clone, and would include it twice.
 option(EDGEWISE_COMPILER_CACHE "Compile through ccache, where it is installed" ON)

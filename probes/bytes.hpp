@@ -27,8 +27,8 @@ struct TableBytes {
     std::uint64_t object = 0, pair = 0;  ///< the table's object, and a pair's cache: the same for all sizes
 };
 
-/// Over a family of growing triangulated spheres: tables are really built, once for each table type and
-/// parts.
+/// Returns the bytes of tables of a family of growing triangulated spheres. Builds the tables, once for each
+/// table type and parts.
 [[nodiscard]] inline std::span<const TableBytes> size_family(const bench::TableType& type, Parts parts) {
     static const std::vector<Polyhedron> bodies = [] {
         std::vector<Polyhedron> spheres;

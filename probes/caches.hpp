@@ -119,7 +119,7 @@ class caches {
                                           std::max<std::uint64_t>(first.first_touches, 1)));
     }
 
-    /// By what was read and by what read it; what was never accessed is left out.
+    /// Adds misses by field and by step of the algorithm; fields and steps without accesses are left out.
     void add_breakdown(const measure::ModelledMachine& machine, std::size_t i) {
         constexpr store::StartNames by_field{"caches.{machine}.{level}.field.{field}",
                                              "caches.{machine}.{level}.field.{field}.{start}"},

@@ -36,7 +36,7 @@ struct StepCosts {
 class cost {
   public:
     static constexpr std::string_view summary =
-        "a step's tests and times by part, and the paper's cost functions beside the whole";
+        "a step's tests and times by part, and the paper's cost functions next to the whole";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(costs_of(cell))};

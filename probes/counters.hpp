@@ -16,7 +16,7 @@ struct counters {
     static constexpr std::string_view summary =
         "hardware counters per query, or why not; page faults, context switches, migrations per query";
 
-    /// In the steady state: tables and pairs were all used before.
+    /// Measures in the steady state: all tables and pairs were used before.
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         if (!cell.verified) return {figures({})};
         static const measure::Cpu cpu = measure::read_machine().cpu;

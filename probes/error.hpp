@@ -115,7 +115,7 @@ class error {
         add("error.control_disagreements_outside_band", outside);
     }
 
-    /// Over the scales of the pairs.
+    /// Returns the given error of each answer, divided by the scale of its pair.
     static std::vector<double> column(Answers answers, Error error) {
         std::vector<double> result;
         for (const truth::CheckedAnswer& answer : answers)

@@ -67,7 +67,7 @@ class heap {
         add_bytes("heap.{structure}.resident_bytes", allocator->resident().value_or(0));
     }
 
-    /// Adds blocks of these sizes, which are written to as their owner would.
+    /// Adds one block per size in `sizes`. Every byte is written, as the owner of the block would do.
     static void add_blocks(Figures& figures, const std::string& structure,
                            const std::vector<std::size_t>& sizes) {
         add(figures, structure, [&](bench::TableAllocator& allocator) {

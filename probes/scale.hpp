@@ -19,7 +19,7 @@ namespace edgewise::probes {
 class scale {
   public:
     static constexpr std::string_view summary =
-        "GJK over one table at 64 scales beside 64 tables: time, bytes, time to build";
+        "GJK over one table at 64 scales compared with 64 tables: time, bytes, time to build";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         if (!cell.verified) return none("a checked answer is wrong", "fix the wrong answer first");

@@ -36,7 +36,7 @@ struct AlgorithmWork {
 class work {
   public:
     static constexpr std::string_view summary =
-        "unchanged answers, answers told by bounds; of GJK: support points kept, hops of a climb, subsets tried";
+        "unchanged answers, answers from bounds; of GJK: support points kept, hops of a climb, subsets tried";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
         return {figures(work_of(cell), cell.counts, cell.needs)};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene is called: its name and the parameters that make it another scene than its kind's standard
-// one; a label depends on the cell alone, never on what else a store holds. What happens in it, in one
-// sentence. And how much a query has in common with the last one of its pair, and how many tables the queries
-// go through: the break-even map looks up a winner by these two and by vertices.
+// Labels of scenes: the name, and the parameters that differ from those of the standard scene of its kind. A
+// label depends on the cell alone, never on other contents of the store. Also gives a description of the
+// scene in one sentence, how much a query has in common with the previous query of its pair, and how many
+// tables the queries go through: the break-even map finds a winner by coherence, tables and vertices.
 #pragma once
 
 #include <compare>

@@ -34,7 +34,7 @@ struct SweepRun {
 
 struct Gap {
     std::string reason, remedy;
-    std::vector<std::string> probes;  ///< the probes of these figures, in order
+    std::vector<std::string> probes;  ///< the probes that measure the missing figures, in order
     std::size_t figures = 0;
 };
 

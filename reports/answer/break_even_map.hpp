@@ -2,8 +2,8 @@
 //
 // Which algorithm and layout is fastest within the error, by vertices, coherence and number of tables: the
 // ranked scenes of all bodies of a store, each put in its place. A place without measurements says so in its
-// text. And the map in words: how many places each layout wins, where the winner changes from one body to a
-// larger one.
+// text. Also gives the map in words: how many places each layout wins, and where the winner changes from one
+// body to a larger body.
 #pragma once
 
 #include <cstddef>

@@ -112,7 +112,7 @@ struct SceneRanking {
     std::vector<std::string> not_measured = {};
 
     [[nodiscard]] bool recommends() const { return not_measured.empty(); }
-    /// Each null where there is none.
+    /// Each of the following functions returns null if no cell matches.
     [[nodiscard]] const RankedCell* winner() const;
     [[nodiscard]] const RankedCell* baseline() const;                          ///< its own cell
     [[nodiscard]] const RankedCell* best(const std::string& algorithm) const;  ///< within the limit
@@ -138,7 +138,7 @@ enum class Variation {
 /// A layout is small for an algorithm if the table that it builds takes at most this: a quarter of the 168
 /// bytes per edge that the paper counts.
 inline constexpr double small_bytes_per_edge = 42;
-/// It is fast if it takes at most this times as long as the fastest layout of its algorithm: in a scene with
+/// A layout is fast if its time is at most this factor times the fastest of its algorithm, in a scene with
 /// these bodies in which the most table types of that algorithm were measured.
 inline constexpr double fast_ratio = 1.25;
 

@@ -129,14 +129,14 @@ void note_places(const ChartJson& values, std::vector<std::string>& notes) {
                 notes.push_back(fmt::format("{} of {} points have {}", count, values.size(), text));
         };
         note(zeros,
-             fmt::format("a {} error of exactly 0: they are drawn on the dotted line at the left edge, "
-                         "whose place on the axis means nothing.",
+             fmt::format("a {} error of exactly 0: they are drawn on the dotted line at the left edge; "
+                         "the position of that line on the axis has no meaning.",
                          kind.title));
         note(missing, fmt::format("no {} error: they are not drawn with it.", kind.title));
     }
 }
 
-/// By vertices.
+/// Returns the shapes of all panels, ordered by vertices.
 ChartJson shapes_drawn(const Fronts& fronts) {
     std::set<std::pair<std::int64_t, std::string>> shapes;
     for (const FrontPanel& panel : fronts.panels) shapes.emplace(panel.vertices, panel.shape);

@@ -37,7 +37,7 @@ std::vector<std::string> ordered_names(const ReportData& data, std::string Repor
     return charts_in_order(std::move(present), first);
 }
 
-/// Those of the values' member that are in `first` before the rest.
+/// Returns the distinct texts of `member` in the rows; the texts in `first` come before the rest.
 std::vector<std::string> ordered_values(const ChartJson& values, const char* member,
                                         const std::vector<std::string>& first) {
     std::set<std::string> present;

@@ -32,7 +32,7 @@ struct Chart {
     bool is_cited = false;                  ///< comes as PDF and CSV too (write_cited_figures)
 };
 
-/// Its specification as JSON; what is no UTF-8 in a name is replaced.
+/// Returns the specification of a chart as JSON; invalid UTF-8 in names is replaced.
 [[nodiscard]] inline std::string spec_text(const Chart& chart) { return input::json_text(chart.spec); }
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
@@ -47,11 +47,11 @@ struct Chart {
 /// row more than once names fewer rows in its file.
 inline constexpr std::size_t mark_limit = 20000;
 
-/// Counts what was left out by reason, and writes one note for each.
+/// Counts omitted values by reason, and writes one note for each reason.
 class Omissions {
   public:
     void add(const std::string& reason);
-    /// The number, if a logarithmic axis can show it; else null, and the reason is counted, after `what`.
+    /// Returns the number if a logarithmic axis can show it; else null, and counts the reason, after `what`.
     [[nodiscard]] std::optional<double> positive(const measure::Figure& figure, const char* when_zero,
                                                  const std::string& what = {});
     void write(const std::string& noun, std::vector<std::string>& notes) const;

@@ -16,7 +16,7 @@ class ErrorAxis {
     /// Errors that it must show, in any order, none below 0; one at least.
     explicit ErrorAxis(std::vector<double> errors);
 
-    /// Where an error of 0 is drawn.
+    /// Returns the place on the axis at which an error of 0 is drawn.
     [[nodiscard]] double floor() const { return floor_; }
     [[nodiscard]] bool has_zeros() const { return errors_.front() == 0; }
     [[nodiscard]] double place(double error) const { return error > 0 ? error : floor_; }

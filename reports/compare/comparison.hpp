@@ -20,7 +20,7 @@ struct StoreComparison {
 /// A time is worse where its whole interval lies beyond `slack` and beyond the noise.
 [[nodiscard]] StoreComparison compare(const ReportData& before, const ReportData& after, double slack);
 
-/// For people; `old_name`: the older store's file.
+/// Returns the comparison as text for a terminal; `old_name` is the file of the older store.
 [[nodiscard]] std::string comparison_text(const StoreComparison& comparison, const std::string& old_name);
 
 }  // namespace edgewise::reports

@@ -15,7 +15,7 @@ vega-lite 6.4.3 24260f85e6f5bfe1069505f7c5c2b9863181ac413ef1030746f0a80c93991ce5
 vega-embed 7.3.0 d9a958ced3240f0418df7d5e12e97dba6e63cecda15b8403e47a0db7eb6ea859 b1455caba2fb1a72fb46025ba0ba1316e2dbc7f0dd40a3f6040172bf9c08ba91'
 
 give_up() {
-    echo "charts: $1; the report will show tables in place of charts" >&2
+    echo "charts: $1; the report will show tables instead of charts" >&2
     exit 1
 }
 

@@ -26,11 +26,11 @@ namespace edgewise::reports {
 
 namespace {
 
-/// In the order in which they need each other.
+/// Scripts of the page; each script comes after the scripts that it uses.
 constexpr const char* page_scripts[] = {"page.tables.js", "page.filter.js",   "page.cells.js",
                                         "page.body.js",   "page.question.js", "page.js"};
 
-/// Writes chapters, and keeps aside what is made when it is opened.
+/// Writes chapters, and keeps the data of folded tables, which a script makes when they are opened.
 class ChapterWriter {
   public:
     ChapterWriter(const std::vector<Chart>& charts, const StaticPictures& pictures, const Glossary& glossary)
@@ -85,7 +85,7 @@ class ChapterWriter {
         folds_.push_back({{"html", html}, {"grids", places}});
         return fmt::format(
             "<details data-fold=\"{}\"><summary>{}</summary><p class=\"waiting note\">Made by a script when it "
-            "is opened; results/ beside this page has the same figures.</p></details>\n",
+            "is opened; results/ next to this page has the same figures.</p></details>\n",
             folds_.size() - 1, html_text(line));
     }
 

@@ -65,7 +65,7 @@ ChartJson value_json(const store::FigureRow& figure, Dictionary& reasons) {
     return std::to_string(reasons.place(why));
 }
 
-/// Where less than half of the cells have the figure, these alone, with their places under "at".
+/// Returns the values of a figure; if less than half of the cells have it, only those, with places in "at".
 ChartJson figure_json(const std::string& name, FigureValues& column, std::size_t cells) {
     ChartJson json = {{"name", name}, {"unit", column.unit}};
     ChartJson at = ChartJson::array(), values = ChartJson::array();

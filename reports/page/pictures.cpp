@@ -39,7 +39,7 @@ std::string render(const std::vector<std::string>& names, const std::filesystem:
     return code == 0 ? "" : fmt::format("node ended with exit code {}", code);
 }
 
-/// Returns the chart with only the rows of these tables, or unchanged if no row is of them.
+/// Returns the chart with only the rows of `tables`. If it has no such row, returns it unchanged.
 ChartJson of_tables(const Chart& chart, const std::set<std::string>& tables) {
     ChartJson kept = ChartJson::array();
     for (const ChartJson& row : chart.points)

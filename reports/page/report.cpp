@@ -65,7 +65,7 @@ std::string answer_picture(const Answer& answer) {
     return {};
 }
 
-/// figures/NAME.svg; an old one is removed where there is none now.
+/// Writes figures/NAME.svg, or removes an old file if there is no picture now.
 void write_picture(const std::string& name, const std::string& svg, const std::filesystem::path& out) {
     const std::filesystem::path file = out / "figures" / (name + ".svg");
     std::error_code ignored;

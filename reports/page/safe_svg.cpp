@@ -30,7 +30,7 @@ bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 bool is_name_or_digit(char c) { return is_name(c) || (c >= '0' && c <= '9'); }
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
-/// In letters of either case; `word` is in small ones.
+/// Returns true if the text has the word in upper or lower case; `word` itself is in lower case.
 bool holds_word(std::string_view text, std::string_view word) {
     const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();

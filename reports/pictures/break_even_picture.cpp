@@ -26,7 +26,7 @@ std::string map_text(double x, double y, double room, const std::string& text, c
         html_text(text));
 }
 
-/// At the left end: a part for each layout that wins or ties, at most four.
+/// Returns the bar at the left end of a place: a part for each layout that wins or ties, at most four.
 std::string map_bar_of(const MapCell& cell, double x, double y) {
     constexpr std::size_t most_parts = 4;
     std::vector<const RankedCell*> parts;

@@ -207,7 +207,7 @@ std::string front_line(const SceneRanking& scene, const std::vector<std::size_t>
     return path.empty() ? path : "<path d=\"" + path + "\" class=\"front\"/>";
 }
 
-/// At the points of the front, below it; one that would cover the last is left to its tooltip.
+/// Returns names below the points of the front. A name that would cover the last name is only in its tooltip.
 std::string front_names(const SceneRanking& scene, const std::vector<std::size_t>& front,
                         const PlotAxes& axes) {
     constexpr double letter = 6, line_height = 12;

@@ -24,7 +24,7 @@ class LogScale {
     double low_, high_, first_, last_;
 };
 
-/// With its name, ratio and error as a tooltip.
+/// Returns the mark of a cell, with its name, ratio and error as a tooltip.
 [[nodiscard]] std::string mark_svg(const RankedCell& cell, double x, double y, double size);
 
 /// "V-Clip on aos_f64: 1.05 [1.01, 1.15], error 2.2e-16, 234 bytes per edge"

@@ -206,7 +206,7 @@ ParameterValues values_in(const std::vector<ComparedQuestion>& questions) {
     return values;
 }
 
-/// For people: of the scene's parameters those that differ between questions.
+/// Returns a label of the question: the scene, and the parameters that differ between questions.
 std::string label_of(const std::string& question, const ParameterValues& values) {
     const QuestionParts parts(question);
     std::string label = parts.scene;

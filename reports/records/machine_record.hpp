@@ -2,8 +2,8 @@
 //
 // A machine's record, to be given to others: processor, caches, and time ratios of layouts with their
 // intervals. It holds no absolute time, no name of a host, user or file, and nothing of bodies and scenes
-// that do not come with Edgewise. Its cells are named "scene parameters shape algorithm table". And the
-// comparison of records: which table wins on which machine, question by question, by the rule of the ranker
+// that do not come with Edgewise. Its cells are named "scene parameters shape algorithm table". Also
+// compares records: which table wins on which machine, question by question, by the rule of the ranker
 // (answer/ranking.hpp).
 #pragma once
 

@@ -21,7 +21,7 @@ class CsvRow {
     /// A text or a number as above, whole numbers with all their digits; null: an empty field.
     CsvRow& field(const nlohmann::ordered_json& value);
 
-    /// With its end, CR and LF.
+    /// Returns the row as a line that ends with CR and LF.
     [[nodiscard]] std::string line() const { return fields_ + "\r\n"; }
 
   private:

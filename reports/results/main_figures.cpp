@@ -10,7 +10,7 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Families of which every member is a main figure.
+/// Families in which every member is a main figure.
 constexpr std::string_view main_families[] = {"caches.{machine}.{level}.misses_per_query",
                                               "caches.{machine}.modelled_memory_ns",
                                               "effort.{machine}.d1_misses", "effort.{machine}.ll_misses"};

@@ -2,8 +2,8 @@
 //
 // Which figures are a cell's main ones: those of the vocabulary that are one figure, not a family with one
 // for each structure, field, step or size; and of families over machines, misses and the time of memory.
-// Breakdowns stay in the store; `edgewise export` writes them. And the columns that name a cell in files of
-// results.
+// Breakdowns stay in the store; `edgewise export` writes them. Also defines the columns that name a cell in
+// files of results.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ namespace edgewise::reports {
 
 /// Adds the names of the columns that name a cell.
 void add_identity_header(CsvRow& row);
-/// Adds the values of these columns for a cell.
+/// Adds the values of a cell in the columns of add_identity_header.
 void add_identity(CsvRow& row, const ReportData& data, const ReportCell& cell);
 /// Returns the columns that name a cell as members of an object, in their order.
 [[nodiscard]] nlohmann::ordered_json identity_json(const ReportData& data, const ReportCell& cell);

@@ -14,7 +14,7 @@ namespace edgewise::reports {
 
 /// Returns the text of each file by its name, relative to the folder of results:
 /// SCENE.csv: a row per cell of that scene, stability, paging and effort rows likewise; columns that name the
-/// cell, then every main figure that one of the rows has, as PROBE.NAME; empty where it was not measured.
+/// cell, then every main figure that any row has, as PROBE.NAME; a field is empty if it was not measured.
 /// about/columns.csv: figure, unit, population, repeats, meaning.
 /// about/not_measured.csv: per file and figure, how many cells lack it, why, and what would help.
 [[nodiscard]] std::map<std::string, std::string> wide_results(const ReportData& data);

@@ -62,7 +62,7 @@ const SummaryColumn stability_columns[] = {
     {{"refinements", "stability.refinements"}, true},
     {{"max steps", "stability.max_steps"}, false}};
 
-/// Over the rows that have the figure; says so where some lack it.
+/// Sums up a figure over the rows that have it; the cell says how many rows lack it.
 GridCell summary_cell(const Rows& rows, const SummaryColumn& column) {
     measure::Figure total{column.figure.name(), std::nullopt, ""};
     std::size_t missing = 0;

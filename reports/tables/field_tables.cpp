@@ -20,7 +20,7 @@ constexpr store::FigureName field_number("fields.number.{field}"), field_lines("
     ratio_high("fields.time_ratio_high.{whose}"), lines_held("fields.lines_held"),
     time_held("fields.time_held");
 
-/// In the order of records.
+/// Returns the names of fields in the order of their records.
 std::vector<std::string> fields_of(const ReportCell& row) {
     std::vector<std::pair<double, std::string>> found;
     for (const store::FigureRow& figure : row.figures)

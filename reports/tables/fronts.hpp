@@ -24,7 +24,7 @@ struct SpeedError {
     double ns, error;
 };
 
-/// For each point, whether none dominates it. A point with a NaN is on no front and dominates nothing.
+/// Returns true for each point that no point dominates. A point with a NaN is on no front and dominates none.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const SpeedError> points);
 
 /// One way to sum up a cell's errors.

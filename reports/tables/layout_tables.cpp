@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What layouts cost: their bytes; in one scene with one shape (results/ has all) cache lines that queries
-// touch, time to build and to refit, and what was counted; what tables of seeds buy; and support queries on a
-// line per vertex next to those on separate arrays.
+// Costs of layouts: their bytes; in one scene with one shape (results/ has all) cache lines that queries
+// touch, time to build and to refit, and counted figures. Also the gain from tables of seeds, and support
+// queries on one line per vertex compared with support queries on separate arrays.
 
 #include <fmt/core.h>
 

@@ -10,7 +10,7 @@ namespace {
 
 using Rule = Violations (*)(const Files& files);
 
-/// What the rule says about one file.
+/// Returns the violations of `rule` in one file, as text.
 std::string verdict(Rule rule, const std::string& path, const std::string& text) {
     return to_text(rule({source_file(path, text)}));
 }

@@ -45,11 +45,11 @@ using Violations = std::vector<Violation>;
 /// One violation per cycle of includes, at the include that closes it.
 [[nodiscard]] Violations include_cycles(const Files& files);
 
-/// Standard names in exported headers whose own header is not included there, and names that the check does
-/// not know: another standard library may bring fewer headers along with those that are named.
+/// Finds standard names in exported headers that do not include the header of the name, and names that the
+/// check does not know. Another standard library may include fewer headers through the named ones.
 [[nodiscard]] Violations missing_std_headers(const Files& files);
 
-/// Sources, CMake files and scripts whose first three lines lack the licence.
+/// Finds sources, CMake files and scripts without the licence in their first three lines.
 [[nodiscard]] Violations missing_licences(const Files& files);
 
 [[nodiscard]] Violations long_files(const Files& files);

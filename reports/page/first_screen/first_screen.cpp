@@ -169,7 +169,7 @@ std::string question_bar(const Answer& answer, const ReportData& data) {
                        fmt::arg("limit", html_select("ask-limit", "error at most", limits)));
 }
 
-/// Where the choice of each group is shown: its first scene in which something is on the front.
+/// Returns one picture for each group of scenes: that of its first scene with a cell on the front.
 std::string pictures_of(const Answer& answer) {
     std::string html;
     for (const auto* scenes : {&answer.shared, &answer.own}) {

@@ -112,7 +112,7 @@ TextGrid cost_grid(const ReportData& data, bool of_bodies) {
 }
 
 TextGrid needs_grid(const ReportData& data) {
-    TextGrid grid{"What each need costs: time over that of witness points, the plain cell",
+    TextGrid grid{"Cost of each need: time divided by the time for witness points, plain cell",
                   columns_of("shape|algorithm|table type|pairs|#witnesses, ns")};
     for (const char* need : needs) grid.columns.push_back({need, true});
     for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {
@@ -132,8 +132,8 @@ TextGrid needs_grid(const ReportData& data) {
 
 TextGrid all_needs_grid(const ReportData& data) {
     TextGrid grid{
-        "What each need costs over all pairs, and what a query reads of the tables; bounds are asked first, "
-        "by warm queries for nearness",
+        "Cost of each need over all pairs, and cache lines that a query reads of the tables; warm queries "
+        "for nearness try the bounds first",
         columns_of("shape|algorithm|table type|need|#ns per query|#over witnesses|#lines per warm query|"
                    "#told by bounds")};
     for (const auto& [key, cells] : groups_of(scene_file(data, "paper_needs"))) {

@@ -132,7 +132,7 @@ TextGrid raw_vclip_grid(const ReportData& data) {
         "Raw V-Clip (axis hardening=off) and the hardened one, on the same queries; cycles and GJK's "
         "answers are of all queries",
         columns_of("scene|body or family|table type|#independent queries|#raw: wrong answers|"
-                   "#of these, verdicts|#share, at most|#raw: cycles|#hardened: wrong answers|"
+                   "#raw: wrong verdicts|#share, at most|#raw: cycles|#hardened: wrong answers|"
                    "#hardened: GJK's answers")};
     for (const auto* rows : {&data.from_files, &data.stability}) {
         for (const ReportCell& raw : *rows) {

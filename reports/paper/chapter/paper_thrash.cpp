@@ -88,7 +88,7 @@ std::string cache_sentence(const ReportData& data) {
                  fmt::arg("factor", papers_factor), fmt::arg("us", number_text(papers_growth_ns / 1000)));
 }
 
-/// From which size on, and at 386 vertices from which speed on, a knee passes what was there in 2001.
+/// Says from which size, and at 386 vertices from which speed, a knee exceeds `bytes`, the size in 2001.
 std::string where_it_passes(const ReportData& data, const store::FigureName& knee, double bytes) {
     std::optional<int> size;
     std::optional<double> speed;
@@ -103,7 +103,7 @@ std::string where_it_passes(const ReportData& data, const store::FigureName& kne
         if (!speed && figure.value && *figure.value > bytes) speed = step;
     }
     if (!any) return "nowhere that is known";
-    if (!size) return "at none of these sizes and speeds";
+    if (!size) return "at no measured size or speed";
     return fmt::format("from {} vertices on, with 386 {}", *size,
                        speed ? fmt::format("from {} rad per step on", number_text(*speed)) : "at no speed");
 }
@@ -197,7 +197,7 @@ std::string layout_text(const ReportCell& cell, const ReportCell& base) {
 /// Every other table type of V-Clip, and GJK on the same tables.
 std::string other_layouts_sentence(const ReportData& data) {
     const auto base = thrash_cells(data, 386, "vclip", "aos_f64");
-    if (base.empty()) return "What layouts do to it is missing: no verified cell of V-Clip on aos_f64.";
+    if (base.empty()) return "The effect of layouts is missing: no verified cell of V-Clip on aos_f64.";
     std::vector<std::string> texts;
     for (const ReportCell* cell : thrash_scene(data, 386).cells) {
         const auto step = parameter_of(*cell, "rotation_step");
@@ -206,7 +206,7 @@ std::string other_layouts_sentence(const ReportData& data) {
         if (step && *step == base.front().first) texts.push_back(layout_text(*cell, *base.front().second));
     }
     if (texts.empty())
-        return "What other layouts do to it is missing: the store has no other table type there.";
+        return "The effect of other layouts is missing: the store has no other table type there.";
     return fmt::format(
         "Relative to V-Clip on aos_f64, at the slowest rotation, in cache, in memory and in memory time on a {}: "
         "{}.",

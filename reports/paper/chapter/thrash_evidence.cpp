@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *thrash_algorithm = "vclip", *thrash_table = "aos_f64";
 
-/// The slowest or the fastest of V-Clip's cells; null when there is none.
+/// Returns V-Clip's cell with the slowest or the fastest rotation; null if the store has no cell.
 const ReportCell* end_cell(const ReportData& data, int vertices, bool fastest) {
     const auto cells = thrash_cells(data, vertices, thrash_algorithm, thrash_table);
     if (cells.empty()) return nullptr;

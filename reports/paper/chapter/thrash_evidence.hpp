@@ -45,10 +45,10 @@ inline constexpr double most_old_memory = 256 * 1048576.0;
 inline constexpr double papers_factor = 12;
 /// Growth of the paper's axis from figure 7 to figure 8, in nanoseconds.
 inline constexpr double papers_growth_ns = 1.1e6;
-/// A cause must give at least this share of that: the modelled processors may be ten times as fast as theirs.
+/// A cause must give at least this share of the growth: modelled processors may have ten times the speed.
 inline constexpr double least_share = 0.1;
-/// A page from a disk of the time, nanoseconds: a seek and half a turn, about 10 ms. So many faults per query
-/// are that share of the growth.
+/// A page from a disk of the time, nanoseconds: a seek and half a turn, about 10 ms. `least_faults`
+/// per query take that share of the growth.
 inline constexpr double old_disk_ns = 1e7;
 inline constexpr double least_faults = least_share * papers_growth_ns / old_disk_ns;
 /// "Hundreds of such primitives": fewer than this.

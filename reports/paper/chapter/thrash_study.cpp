@@ -67,7 +67,7 @@ std::string range_text(const std::set<double>& values) {
     return fmt::format("{:g} to {:g}", *values.begin(), *values.rbegin());
 }
 
-/// Where those that hold lie: "100 to 600 bodies, 24 to 96 MiB, 100 to 10000 us a fault; aos_f64, ...".
+/// Ranges of settings that hold: "100 to 600 bodies, 24 to 96 MiB, 100 to 10000 us a fault; aos_f64, ...".
 std::string place_text(const std::vector<ThrashRow>& rows, unsigned wanted) {
     std::set<double> bodies, memories, costs;
     std::set<std::string> tables;
@@ -102,7 +102,7 @@ std::string mechanisms_sentence(const std::vector<ThrashRow>& rows, unsigned wan
     return text + ".";
 }
 
-/// With as much memory as there is, caches alone are left.
+/// Returns the sentence on settings with memory for all tables; only caches and TLB can be the cause.
 std::string caches_sentence(const std::vector<ThrashRow>& rows) {
     double most = 0;
     std::size_t settings = 0, with = 0;
@@ -247,8 +247,8 @@ std::string settled_paragraph(const ReportData& data) {
 
 TextGrid mechanism_grid(const ReportData& data) {
     TextGrid grid{
-        "What could have made figure 8: settings (bodies x memory x cost of a fault) where its facts "
-        "hold, modelled",
+        "Possible causes of figure 8: settings (bodies x memory x cost of a fault) where its facts "
+        "hold in the model",
         columns_of("mechanism|table type, time step|processor|#settings|#rises|#takes as long|"
                    "#spares GJK|#erratic|#all|#most at once|#rise there|#us there|#GJK there")};
     for (const ThrashRow& row : thrash_rows(data)) {

@@ -196,7 +196,7 @@ ChartJson caches_of(const ReportData& data) {
     return rows;
 }
 
-/// For a part that is there only with rows.
+/// Returns a list with one part that has these rows; an empty list if there are no rows.
 ChartJson if_any(const char* slot, const ChartJson& rows) {
     ChartJson list = ChartJson::array();
     if (!rows.empty()) list.push_back(ChartJson::object({{slot, rows}}));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Charts after the figures of the paper. Figure 4: time per query against linear speed, bodies of 8 vertices.
-// What coherence knows of a speed is the displacement per step divided by the size of the body: that is the
-// axis; speeds in metres per second follow from a time step and a size, which the paper does not name.
+// Coherence depends on the displacement per step divided by the size of the body, so the axis shows that
+// ratio. Speeds in metres per second follow from a time step and a size, which the paper does not name.
 // Figures 6, 7 and 8: angular speed, bodies of 8, 38 and 386 vertices. The axis is the effective angle per
 // step: a rotation beyond half a turn is a smaller one in the opposite direction. The three charts have one
 // scale of time, so that they can be laid side by side. Figure 5: tests of pairs against bodies, at constant

@@ -42,7 +42,7 @@ inline void number_chart(Chart& chart, int figure) {
 [[nodiscard]] Chart paper_paging_chart(const ReportData& data);
 /// Time against bodies on this machine, with its caches.
 [[nodiscard]] Chart paper_here_chart(const ReportData& data);
-/// Where the facts of figure 8 hold, modelled; and figure 8 in the cells that were made real.
+/// Charts of the settings in which the model shows the facts of figure 8, and of the cells that were run.
 [[nodiscard]] Chart paper_region_chart(const ReportData& data);
 [[nodiscard]] Chart paper_realised_chart(const ReportData& data);
 /// Time against what a user's own scene varies.

@@ -2,9 +2,9 @@
 //
 // Finds the cells that a claim is about and takes figures from them as evidence. A cell that is not stored,
 // was not verified or lacks the figure gives the reason instead of a number. How a quantity grows: the
-// exponent of a power law through a curve, and whether a logarithm fits it better. And the claims by theme,
-// with what their rules have in common: which tables represent the paper's two programs, and which of our
-// speeds are in the range of which figure.
+// exponent of a power law through a curve, and whether a logarithm fits it better. Also holds the claims by
+// theme and the common parts of their rules: the tables that represent the paper's two programs, and the
+// speeds of our scenes that lie in the range of each figure.
 #pragma once
 
 #include <string>
@@ -39,10 +39,10 @@ struct CurveRange {
     double low = 0, high = 0;
 };
 
-/// The first verified one, else the first; null when there is none.
+/// Returns the first verified cell with this key, else the first; null if the key has no cell.
 [[nodiscard]] const ReportCell* find_cell(const ReportData& data, const CellKey& key);
-/// In order of x: a number of the scene's parameters, or "vertices". Bodies in a new random orientation each
-/// step have no place on an axis of speeds and are left out.
+/// Returns cells in order of x: a number of the scene's parameters, or "vertices". Bodies with random
+/// orientations in each step have no place on an axis of speeds and are left out.
 [[nodiscard]] std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key,
                                                  const std::string& parameter);
 [[nodiscard]] std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const CurveRange& range);
@@ -104,18 +104,18 @@ inline constexpr CurveRange figure_6_speeds{0, 12.57}, figures_7_and_8_speeds{1,
 /// One of the scenes paper_angular_*: speeds in a figure's range.
 [[nodiscard]] std::vector<CurveCell> angular_cells(const ReportData& data, int vertices,
                                                    const std::string& algorithm, const CurveRange& steps);
-/// The reason when there are none.
+/// Returns the reason if angular_cells is empty.
 [[nodiscard]] std::string no_angular_cells(int vertices);
-/// Returns the cell of these scenes at the slowest speed above 0, which is the most coherent motion.
+/// Returns the cell of scenes paper_angular_* at the slowest speed above 0, the most coherent motion.
 [[nodiscard]] const ReportCell* slowest_cell(const ReportData& data, int vertices,
                                              const std::string& algorithm);
-/// Its figure, or its time; none where there is no such cell.
+/// Returns a figure, or the time, of slowest_cell; none if there is no slowest cell.
 [[nodiscard]] Evidence slowest_figure(const ReportData& data, int vertices, const std::string& algorithm,
                                       const store::FigureName& name);
 [[nodiscard]] Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm);
 
-/// A part for each of these sizes: its label and the shape, what `of` gives for the vertices, the same
-/// wanted.
+/// Returns one part for each of `angular_sizes`: the label followed by the shape, the result of `of` for
+/// the number of vertices, and `wanted`.
 template <class Of>
 [[nodiscard]] PartList by_size(const std::string& label, const Of& of, const WantedBand& wanted) {
     PartList parts;

@@ -43,7 +43,7 @@ Rows families(const ReportData& data, const std::function<bool(const ReportCell&
     return rows;
 }
 
-/// Over the rows that have it, whatever their status: a failed cell's failures count.
+/// Sums a figure over the rows that have it, with any status: failures of a failed cell count.
 Evidence total(const Rows& rows, const store::FigureName& name) {
     if (rows.empty()) return no_evidence("nothing of V-Clip and GJK is stored");
     Evidence all = no_evidence(rows.front()->figure(name).reason);

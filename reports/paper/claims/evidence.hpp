@@ -26,7 +26,7 @@ struct Evidence {
 /// None where either is missing, or where the divisor's interval reaches 0.
 [[nodiscard]] Evidence quotient(const Evidence& a, const Evidence& b);
 [[nodiscard]] Evidence sum(const Evidence& a, const Evidence& b);
-/// At least `least`: for counts that may be 0 and are to be divided by.
+/// Returns the evidence, raised to `least` if it is smaller: for counts that are divisors and may be 0.
 [[nodiscard]] Evidence no_less_than(Evidence a, double least);
 
 /// Returns the geometric mean; none where a value is missing, or with the given reason for an empty list.

@@ -5,8 +5,8 @@
 //    "pose_a": {"R": [9, row-major] or [[3],[3],[3]], "t": [3]}?, "pose_b": {...}?}
 // Members of a pose that are left out (or null) are the identity; faces, when present, are taken as given. A
 // matrix that is nearly a rotation is replaced by the nearest one; others are refused (nearest_rotation.hpp).
-// `source`, `note`, `expect` and some others may be present too; unknown members are refused. Reading goes
-// line by line, so that one bad line does not lose the rest; each error names file, line and field.
+// `source`, `note`, `expect` and some others may be present too; unknown members are refused. Lines
+// are read one by one, so a bad line does not lose the others; each error names file, line and field.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct Case {
 /// which matrix was replaced by the nearest rotation, and how far it was from one.
 [[nodiscard]] Result<Case> parse_case(std::string_view line, const std::string& where, std::string& id);
 
-/// A body of a million vertices has no more; what is longer is no line but a stream without end.
+/// Enough for a body of a million vertices; longer input is a stream without end, not a line.
 inline constexpr std::size_t most_line_bytes = std::size_t{256} << 20;
 
 /// Reads the stream case by case; blank lines are passed over.

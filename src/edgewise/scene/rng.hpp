@@ -40,13 +40,13 @@ class Rng {
         return result;
     }
 
-    /// In [0, 1): the top 53 bits, so every value is a multiple of 2^-53 and none is rounded.
+    /// Returns a number in [0, 1), from the top 53 bits: a multiple of 2^-53, without rounding.
     [[nodiscard]] double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
-    /// In [low, high); rounding may reach high itself.
+    /// Returns a number in [low, high); rounding may give high itself.
     [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    /// A whole number below n, each equally likely: draws from the incomplete last block are thrown away.
+    /// Returns a whole number below n, each equally likely; rejects draws from the incomplete last block.
     [[nodiscard]] std::uint64_t below(std::uint64_t n) {
         assert(n > 0);
         const std::uint64_t surplus = (0 - n) % n;  // 2^64 mod n

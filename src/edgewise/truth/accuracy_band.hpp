@@ -34,12 +34,12 @@ struct AccuracyBand {
 [[nodiscard]] AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a,
                                          std::span<const Vec3d> b, const Pose& pose_b, double eps);
 
-/// What the band asks of a body: the largest |v|, and the diagonal of its vertices' box.
+/// Size of a body as the band needs it: the largest |v|, and the diagonal of the box of its vertices.
 struct BodySize {
     double reach = 0, extent = 0;
 };
 
-/// Band of two bodies whose sizes are known, at any poses. ortho_error: of the worse rotation.
+/// Returns the band of two bodies of known size, at any poses. ortho_error: that of the worse rotation.
 [[nodiscard]] AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
                                          double ortho_error, double eps);
 

@@ -69,7 +69,7 @@ double distance_of_means(ExactPair& bodies, const Mean& on_a, const Mean& on_b) 
     return root_rounded_up(dot(apart, apart), totals * totals, bodies.unit);
 }
 
-/// The separation of the bodies along a direction, either way; 0 if there is none.
+/// Returns the separation of the bodies along a direction, either way; 0 if they are not separated.
 double gap_along(ExactPair& bodies, const IntegerVec& direction) {
     if (direction.is_zero()) return 0;
     const mpz_class gap = std::max(bodies.lowest(direction).height, bodies.lowest(-direction).height);

@@ -29,8 +29,8 @@ struct Certificate {
 /// if none is left, vertex 0 is used.
 struct WitnessClaim {
     std::span<const std::uint32_t> vertices;  ///< of the feature, or of the simplex
-    /// One per vertex, divided exactly by their sum; what is not finite and positive counts as 0. Empty: the
-    /// mean is not known.
+    /// One per vertex, divided exactly by their sum; a weight that is not finite and positive counts as 0.
+    /// Empty: the mean is not known.
     std::span<const double> weights{};
 };
 

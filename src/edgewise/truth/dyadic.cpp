@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Conversions between doubles and integers with a power of two. A quotient or a root is computed to about 70
-// bits, a sticky bit stands for the rest, and that number is rounded once: no double rounding, also for
+// bits, a sticky bit represents the rest, and the result is rounded once: no double rounding, also for
 // denormals.
 #include "edgewise/truth/dyadic.hpp"
 

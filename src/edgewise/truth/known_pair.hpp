@@ -66,7 +66,7 @@ class StoredPair {
     /// Keeps references.
     StoredPair(std::span<const Vec3d> a, std::span<const Vec3d> b) : a_(a), b_(b) {}
 
-    /// By proof in double where that is narrower than the band in double, else exactly. `guess`: from A to B.
+    /// Proves the distance in double if that is narrower than the band, else exactly. `guess`: from A to B.
     [[nodiscard]] ProvenPair know(const PosesOfPair& poses, const Vec3d& guess);
 
     [[nodiscard]] PlacedBodies placed(const PosesOfPair& poses) const {

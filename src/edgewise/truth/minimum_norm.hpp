@@ -116,7 +116,7 @@ template <class Vec>
     return t;
 }
 
-/// No point of the simplex left out by `mask` lies below the subset. Nothing is nearer than the origin
+/// True if no point of the simplex outside `mask` lies below the subset. Nothing is nearer than the origin
 /// itself, and the normal of a triangle around it points to no particular side.
 template <class Vec>
 [[nodiscard]] bool is_lowest(const MinimumSimplex<Vec>& simplex, unsigned mask, const SubsetTrial<Vec>& t) {

@@ -68,7 +68,7 @@ void expect_true_bounds(const char* name) {
             const Polyhedron body = stored_body<Table>(scene::make_shape(shape).or_throw()).or_throw();
             for (int i = 0; i < 4; ++i) sway<Algorithm, Table>(body, step, rng.uniform(0.1, 1), rng, seen);
         }
-        std::printf("%s, steps of %g: %d asked, %d told near, %d told far; outside by %.2g at most\n", name,
+        std::printf("%s, steps of %g: %d asked, bounds gave %d near, %d far; outside by %.2g at most\n", name,
                     step, seen.asked, seen.told_near, seen.told_far, seen.outside);
         EXPECT_LE(seen.outside, 1e-14) << step;
         EXPECT_EQ(seen.wrong, 0) << step;
@@ -116,8 +116,8 @@ TEST(NearPair, TellsWhereItsCarriedBoundsDo) {
         if (told) EXPECT_EQ(*told, distance > most) << i;
         ++(!told ? not_told : *told ? told_near : told_far);
     }
-    std::printf("%d told near, %d told far, %d not; off by %.2g at most\n", told_near, told_far, not_told,
-                worst);
+    std::printf("bounds gave %d near, %d far, %d undecided; off by %.2g at most\n", told_near, told_far,
+                not_told, worst);
     EXPECT_LE(worst, 1e-14);
     EXPECT_GT(std::min({told_near, told_far, not_told}), 4000);
 }

@@ -53,7 +53,7 @@ double extent_of(const std::vector<Vec3d>& points) {
     return extent;
 }
 
-/// A random near pose: bodies of these extents touch now and then.
+/// Returns a random near pose: bodies of the given extent sometimes touch.
 Pose near_pose(scene::Rng& rng, double extent) {
     Pose pose;
     pose.rotation = rng.rotation();

@@ -149,7 +149,7 @@ struct Needle {
     }
 };
 
-/// With its apex at the origin, the rest along `out`.
+/// Returns a body with its apex at the origin and the other vertices along `out`.
 template <class Scalar>
 Polyhedron spike(const Needle<Scalar>& on) {
     const Vec3d& along = on.corners[1];
@@ -160,8 +160,8 @@ Polyhedron spike(const Needle<Scalar>& on) {
         .or_throw();
 }
 
-/// The apex over the side, along a direction that stands on the thin face but for anything down to rounding
-/// steps: whether the thin corner, and what lies behind it, is higher than the side.
+/// Returns a pose with the apex over the side. Its direction is normal to the thin face up to a tilt, which
+/// can be as small as a rounding step and decides if the thin corner and the part behind it are higher.
 template <class Scalar>
 Pose over_side(scene::Rng& rng, const Needle<Scalar>& on) {
     const double tilt = std::ldexp(rng.uniform(-1, 1), -static_cast<int>(rng.uniform(5, 54)));
@@ -171,7 +171,7 @@ Pose over_side(scene::Rng& rng, const Needle<Scalar>& on) {
     return pose;
 }
 
-/// Some of the poses are proven, and no distance is wrong by more.
+/// Expects that some poses are proven and that no distance is wrong by more than `most_error`.
 template <class Table>
 void expect_certain_on_thin_corners(double thinnest, double most_error) {
     using Scalar = ComputeOf<Table>;

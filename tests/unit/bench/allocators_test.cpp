@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Allocators,
                                            AllocatorKind::libc),
                          [](const auto& of) { return std::string(to_string(of.param)); });
 
-/// Linked beside it, jemalloc must not take malloc's place: sizes of its classes would show.
+/// A program that links jemalloc must still use the C library's malloc: usable sizes show which one it uses.
 TEST(AllocatorsTogether, LeaveMallocToTheCLibrary) {
     const auto jemalloc = make_jemalloc();
     if (!jemalloc) GTEST_SKIP() << "this program was built without jemalloc";

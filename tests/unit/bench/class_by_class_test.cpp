@@ -14,7 +14,7 @@
 namespace edgewise::bench {
 namespace {
 
-/// Of so many pairs, frame by frame; each query's number is the x of its pose.
+/// Returns `frames` frames of `pairs` queries each; the x of each pose is the number of its query.
 scene::Workload frames_of_pairs(scene::Rng& rng, std::uint32_t pairs, int frames, bool warm,
                                 std::vector<std::uint8_t>& in_contact) {
     scene::Workload workload;

@@ -3,8 +3,8 @@
 // Bodies of very many vertices are climbed and walked on, not scanned: how many vertices a query reads, in
 // numbers that do not depend on the clock. Up to 24 578 vertices in single, 98 306 in double.
 //
-// The bound. A climb that goes by an arc over a unit sphere of n vertices reads what lies beside its way, a
-// strip of a spacing to either side. The spacing of n points in triangles is sqrt(8 pi / (sqrt(3) n)) = 3.81
+// The bound. A climb along an arc over a unit sphere of n vertices reads the vertices near its path, in a
+// strip of a spacing on either side. The spacing of n points in triangles is sqrt(8 pi / (sqrt(3) n)) = 3.81
 // / sqrt(n), their density n / (4 pi): 0.61 sqrt(n) vertices per radian. From a cold start the top is pi / 2
 // away in the mean, on two bodies: 1.9 sqrt(n). Ways along edges are up to 1.15 longer, and the grid is up to
 // 1.5 times as fine in places: 3.3, and 4 with some room. On top come rings of six around three points of
@@ -12,7 +12,7 @@
 //
 // V-Clip leaves pairs of bodies with so small features (from 6146 vertices in single, 24 578 in double) to
 // GJK, so that it reads by climbs too. Single queries may read five times the mean: V-Clip's way is up to pi,
-// and GJK's next directions climb anew where bodies overlap.
+// and if bodies overlap, GJK climbs again for each new direction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ namespace {
 constexpr double step_turn = 0.01;  ///< rad
 constexpr double most_over_mean = 5;
 
-/// Of a query; see above.
+/// Returns the bound on the mean number of vertices that a query reads; derived above.
 double mean_bound(std::size_t vertices, double arc) {
     constexpr double rings = 2 * 3 * 7;
     return rings + 4 * std::sqrt(double(vertices)) * arc / (std::numbers::pi / 2);

@@ -126,7 +126,7 @@ struct BatchTally {
 void expect_same_passes(const studies::SingleCell& cell, BatchTally& tally) {
     const auto [one, sum] = answers_of(cell, false);
     const auto [batch, sum_of_batches] = answers_of(cell, true);
-    EXPECT_EQ(sum, sum_of_batches) << "to the bit: a cell whose passes differ fails";
+    EXPECT_EQ(sum, sum_of_batches) << "to the bit: a cell fails if its passes differ";
     for (std::size_t i = 0; i < one.size(); ++i) {
         EXPECT_TRUE(same_answer(one[i], batch[i])) << cell.type().name << ' ' << cell.algorithm() << ' ' << i;
         ++tally.asked;

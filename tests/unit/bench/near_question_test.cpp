@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A runner that is asked for nearness beside brute force, on every query of coherent and of random scenes,
-// for margins below, at and above the distances there; and what it reads for that.
+// Compares a runner that is asked for nearness with brute force on every query of coherent and random scenes.
+// The margins are below, at and above the distances that occur. Also checks how much the runner reads.
 #include "edgewise/bench/near_question.hpp"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ class Subject {
         return made;
     }
 
-    /// Of every query, as the tables hold the bodies.
+    /// Returns the exact distance of every query, for the bodies as the tables hold them.
     [[nodiscard]] std::vector<double> true_distances() const {
         const auto bodies = cell_.runner().stored_bodies();
         std::vector<double> distances;
@@ -128,9 +128,9 @@ Tally tally_of(const Scene& scene, const std::string& table, const std::string& 
     const double doubt = 16 * size * (single ? Tolerance<float>::eps : Tolerance<double>::eps);
     Tally tally;
     for (const double margin : margins_around(truth, size)) add(subject, margin, truth, doubt, tally);
-    std::printf("%s, %s %s: told near %d, far %d; asked near %d, far %d; wrong by %.2g at most\n", scene.name,
-                table.c_str(), algorithm.c_str(), tally.told_near, tally.told_far, tally.asked_near,
-                tally.asked_far, tally.worst);
+    std::printf("%s, %s %s: from bounds near %d, far %d; asked near %d, far %d; wrong by %.2g at most\n",
+                scene.name, table.c_str(), algorithm.c_str(), tally.told_near, tally.told_far,
+                tally.asked_near, tally.asked_far, tally.worst);
     return tally;
 }
 
@@ -145,7 +145,7 @@ TEST_P(NearQuestion, IsNeverWrongWhateverTheMotion) {
             EXPECT_GT(visited, 0) << scene->name;
         EXPECT_GT(tally.told(), tally.asked()) << scene->name;
     }
-    // Any turn at all may have come between two queries: bounds tell little.
+    // Bodies can turn by any angle between two queries, so bounds decide few queries.
     const Tally turned = tally_of(random_turns, table, algorithm);
     EXPECT_EQ(turned.wrong, 0);
     for (const int visited : {turned.told_near, turned.asked_near, turned.asked_far}) EXPECT_GT(visited, 0);
@@ -156,7 +156,7 @@ TEST_P(NearQuestion, IsNeverWrongWhateverTheMotion) {
     EXPECT_GT(tally.asked_far, 0);
 }
 
-/// What each query reads, and how much of its pair's cache is accessed.
+/// Counts the accesses of each query to tables and to the cache of its pair, and the bytes of that cache.
 class PerQuery final : public measure::TraceListener {
   public:
     struct Seen {
@@ -210,7 +210,7 @@ TEST_P(NearQuestion, ReadsNoTableWhereBoundsTell) {
         EXPECT_LT(told, static_cast<int>(answers.size()));
         double sum = 0;
         for (const Distance& answer : answers) sum += answer.distance;
-        EXPECT_EQ(cell.runner().prepared_pass()().distances, sum) << "told or not, the sum is of answers";
+        EXPECT_EQ(cell.runner().prepared_pass()().distances, sum) << "the sum includes answers from bounds";
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Other libraries as runners, with one that is Edgewise's own GJK in world coordinates, and one that lies:
-// same bodies and queries, answers in A's frame, caches kept and set back, memory counted, errors told.
+// Other libraries as runners: one is Edgewise's own GJK in world coordinates, one gives wrong answers. Checks
+// bodies and queries, answers in A's frame, caches that are kept and reset, memory counts, and error reports.
 #include "edgewise/bench/peers/peer_modules.hpp"
 
 #include <gtest/gtest.h>

@@ -125,7 +125,7 @@ void expect_same_bits(const std::vector<Distance>& found, const std::vector<Dist
     EXPECT_EQ(other, 0U) << "of " << found.size();
 }
 
-/// The table type, and the one whose answers it gives.
+/// A relative table type, and the plain table type that must give the same answers.
 struct Like {
     const char *relative, *plain;
 };

@@ -71,7 +71,7 @@ TEST_P(Populations, HaveTheSameLinesThreeWays) {
         return static_cast<double>(of.lines) / static_cast<double>(of.queries);
     };
     EXPECT_GT(per_query(measure::QueryStart::cold), per_query(measure::QueryStart::warm))
-        << "who starts anew goes farther";
+        << "a cold query takes a longer path";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Populations,
@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(Of, Populations,
                              return std::string(std::get<0>(of.param)) + "_" + std::get<1>(of.param);
                          });
 
-/// Every seventh pair through whole steps, each from its own first query on: of those it follows all, and
-/// each reads what it reads in a trace of every pair.
+/// A sampled trace follows every n-th pair through whole steps, from the first query of that pair, and skips
+/// none of its queries. Each query reads the same data as in a trace of every pair.
 TEST(TraceExtents, FollowAPairAsATraceOfEveryPairDoes) {
     const studies::SingleCell cell(followed("vclip", "sphere38", 6000));
     const TraceExtent sampled = sampled_extent(cell.workload(), 300);

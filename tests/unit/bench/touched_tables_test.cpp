@@ -75,7 +75,7 @@ TEST(TouchedTables, DoNotGuessWithinBlocks) {
     EXPECT_FALSE(touched_features(blocks, measure::TouchedBytes{}, FeatureKind::vertex));
 }
 
-/// The same queries read the same vertices, however they are stored.
+/// A fixed set of queries reads the same vertices in every layout.
 TEST(TouchedTables, SeeTheSameVerticesInEveryLayout) {
     std::vector<std::uint32_t> first;
     for (const char* table : {"aos_f64", "soa_f64", "hot_cold_f64", "aos_padded_f64"}) {

@@ -49,7 +49,7 @@ TEST(Progress, EstimateLeavesResumedWorkOut) {
     EXPECT_EQ(progress_line("x", {40, 40, 0, 5}, "", 100).find("left"), std::string::npos);
 }
 
-/// Cells of 1 s and of 60 s: nobody counts them to say how much time is left.
+/// If cells take from 1 s to 60 s, their number does not give the time left.
 TEST(Progress, OfStepsThatDifferSaysWhatItIsToldOrNothing) {
     ProgressState state{90, 100, 0, 100};
     state.even = false;

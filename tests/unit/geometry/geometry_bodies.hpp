@@ -43,7 +43,7 @@ class Dice {
     std::mt19937_64 bits_;
 };
 
-/// From a random quaternion; orthogonal to rounding.
+/// Returns a rotation from a random quaternion; orthogonal to rounding.
 inline Mat3d random_rotation(Dice& dice) {
     const Vec3d axis = dice.direction();
     const double w = dice.between(-1, 1);

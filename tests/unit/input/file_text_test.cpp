@@ -47,7 +47,7 @@ TEST_F(FileText, IsReadWhole) {
     EXPECT_EQ(*read_file_text(path("empty")), "");
 }
 
-/// None of these is opened: a pipe without a writer would hang, a device never end.
+/// Special files are not opened: a pipe without a writer would block, and a device would never end.
 TEST_F(FileText, RefusesWhatIsNoRegularFile) {
     ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
     for (const std::string& file : {path("pipe"), std::string("/dev/zero"), std::string("/dev/null")})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which known name a slip stands for: every single edit of every name finds that name again, and what is far
+// Suggestions for misspelt names: every single edit of a known name finds that name, and a word that is far
 // from all names finds none.
 #include "edgewise/input/known_names.hpp"
 

@@ -270,8 +270,8 @@ TEST(LayoutBytes, OfASmallTableAreItsPayloadAndOneLine) {
         const Bytes object = sizeof(Table);
         EXPECT_LE(object, 64U) << Table::name;
         const Bytes sum = object + table.ledger().total();
-        std::printf("%s of %s: %zu bytes, of which the object %zu and padding %zu\n", Table::name.data(),
-                    shape, sum, object, table.ledger()[Component::padding]);
+        std::printf("%s of %s: %zu bytes, including object %zu and padding %zu\n", Table::name.data(), shape,
+                    sum, object, table.ledger()[Component::padding]);
         return sum;
     };
     for (const char* shape : {"cube8", "sphere8"}) {

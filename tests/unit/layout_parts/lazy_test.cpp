@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lazy tables over every storing layout, compared with the layout itself: the same answers, bit by bit; every
-// plane the same once it is asked for; nothing made that nobody asked for.
+// Compares lazy tables over every storing layout with the layout itself: answers are the same bit by bit,
+// every plane is the same after its first read, and no plane is computed before it is read.
 #include "edgewise/layouts/lazy.hpp"
 
 #include <gtest/gtest.h>

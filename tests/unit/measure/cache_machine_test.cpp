@@ -45,7 +45,7 @@ TEST(CacheMachines, AreThoseOfTheManifestWithASourceForEveryLevel) {
         EXPECT_TRUE(names.count(name)) << name;
 }
 
-/// By hand, from the sources: sets of a level whose number is no power of two, and an exclusive one.
+/// Expected values are from the sources: numbers of sets, one not a power of two, and an exclusive level.
 TEST(CacheMachines, HaveTheGeometryOfTheirSources) {
     for (const CacheMachine& machine : cache_machines()) {
         const auto& levels = machine.caches.levels;
@@ -131,7 +131,7 @@ TEST(CacheMachine, SaysWhatIsWrongWithAFile) {
     EXPECT_NE(complaint("[]"), "");
 }
 
-/// A misspelt member, wherever it stands, is refused with the known name that is nearest.
+/// A misspelt member is refused in every object; the message suggests the nearest known name.
 TEST(CacheMachine, HasNoMemberThatNobodyKnows) {
     json full = right_machine();
     full["levels"][1].update({{"inclusion", "inclusive"}, {"replacement", "lru"}, {"unverified", {"ways"}}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The cache model beside answers worked out by hand, and beside a plain list a set on random streams.
+// Compares the cache model with results computed by hand and, on random streams, with one plain list per set.
 #include "edgewise/measure/cache/cache_model.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(CacheModel, ASequenceMissesOnceALine) {
     }
 }
 
-/// As many lines of one set as it has ways stay; one more, used in turn, and LRU misses every time.
+/// A set keeps one line per way. With one line more, accessed in turn, LRU misses on every access.
 TEST(CacheModel, OneLineTooManyInASetThrashesIt) {
     for (const std::uint32_t sets : {1U, 8U, 12U}) {  // 12: not a power of two
         for (const std::uint32_t ways : {1U, 2U, 4U, 12U}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Random chases: the loads are the ones that the model is told of, and the model misses what it must.
+// Random pointer chases: the model gets exactly the loads that run, and its miss rate is the expected one.
 #include "edgewise/measure/counters/calibration.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(RandomChases, GoWhereTheReplayGoes) {
     for (const int times : met) EXPECT_LT(times, 30) << "nearly five each";
 }
 
-/// Of N lines and a cache of C, N - C in N miss.
+/// With N lines in a cache of C lines, a fraction (N - C) / N of random loads misses.
 TEST(Calibration, ModelsWhatArithmeticSays) {
     CacheMachine machine;
     machine.name = "made up";

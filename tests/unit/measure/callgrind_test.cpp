@@ -158,7 +158,7 @@ TEST(Callgrind, IsReadWithItsTrailingZeros) {
     EXPECT_FALSE(parse_callgrind("").value);
 }
 
-/// As Callgrind 3.19 wrote it: conditional branches and indirect ones, of which none were mispredicted.
+/// Output of Callgrind 3.19: conditional branches, and indirect branches without a misprediction.
 TEST(Callgrind, IsReadWithItsBranches) {
     const auto counts = parse_callgrind(
         "events: Ir Dr Dw I1mr D1mr D1mw ILmr DLmr DLmw Bc Bcm Bi Bim\n"

@@ -16,7 +16,7 @@ namespace edgewise::measure {
 inline constexpr EventCode software_page_faults{PERF_TYPE_SOFTWARE, PERF_COUNT_SW_PAGE_FAULTS};
 inline constexpr EventCode software_task_clock{PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK};
 
-/// So many fresh pages, one fault each.
+/// Touches `pages` fresh pages, with one page fault each.
 inline void touch_pages(int pages) {
     if (pages == 0) return;
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

@@ -33,7 +33,7 @@ class MachineChoices : public testing::Test {
     static std::string complaint(const std::vector<std::string>& names) {
         return complaint_of([&] { return choose_machines(names); });
     }
-    /// A cache as sysfs tells it.
+    /// Writes the description of one cache, in the format of sysfs.
     void add_cache(int index, const std::string& type, int level, const std::string& size, int ways) const {
         const std::string at = "sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
         file(at + "type", type);
@@ -99,7 +99,7 @@ TEST_F(MachineChoices, TakeTheHostFromSysfs) {
     EXPECT_FALSE(host.value->latencies_known());
 }
 
-/// As Linux tells of Intel's Lion Cove: 48K, then 192K, both of level 1.
+/// Linux reports two caches of level 1 for Intel's Lion Cove: 48K, then 192K.
 TEST_F(MachineChoices, HaveLevelsOfDifferentNames) {
     add_cache(0, "Data", 1, "48K", 12);
     add_cache(1, "Data", 1, "192K", 12);
@@ -195,7 +195,7 @@ TEST(MachineAsFile, IsReadBackAsTheSame) {
     }
 }
 
-/// What a user knows of a machine is enough: sizes and ways.
+/// A machine file needs only the data that a user knows: line size, and size and ways of each level.
 TEST(MachineAsFile, NeedsNoMoreThanLevels) {
     const CacheMachine machine = parse_cache_machine(
         R"({"line_bytes": 64, "levels": [{"name": "L2", "bytes": 262144, "ways": 8}]})", "mine");

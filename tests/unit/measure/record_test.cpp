@@ -43,7 +43,7 @@ std::string complaint(const std::string& text, std::string_view kind = {}) {
     return complaint_of([&] { return parse_record(text, "mine.json", kind); });
 }
 
-/// Of all rows but equal ones, in the order in which they are shown.
+/// Returns one line for every row that is not equal, in the order in which rows are shown.
 std::vector<std::string> lines(const RecordComparison& found) {
     std::vector<std::string> all;
     const json parsed = json::parse(to_json(found));
@@ -65,7 +65,7 @@ TEST(Record, IsTheSameWhenItIsReadAgain) {
     const RecordComparison found = compare(odd, again);
     EXPECT_TRUE(found.passed());
     EXPECT_EQ(found.compared(), odd.rows.size() + 1);
-    EXPECT_EQ(found.count(Outcome::equal), 6u) << "and times, whose intervals meet";
+    EXPECT_EQ(found.count(Outcome::equal), 6u) << "and times with intervals that overlap";
     EXPECT_THAT(to_json(lock), AllOf(HasSubstr("\"bytes\": 24000,"), testing::Not(HasSubstr("slack"))));
 }
 

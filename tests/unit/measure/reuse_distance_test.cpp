@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Stack distances beside a plain list, and the curve made of them beside caches that were simulated.
+// Compares stack distances with those of a plain list, and their miss curve with simulated caches.
 #include "edgewise/measure/cache/reuse_distance.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(MissCurve, IsAFullyAssociativeCacheAtEverySize) {
         CacheModel cache({64, {{"", 1, ways}}});
         for (const std::uint64_t line : lines) cache.access(line * 64, 1, AccessKind::read);
         EXPECT_EQ(cache.counts(0).misses, reuse.curve().misses(ways)) << ways;
-        EXPECT_NE(cache.counts(0).misses, last) << "no size tells more than the one before";
+        EXPECT_NE(cache.counts(0).misses, last) << "this size and the last have equal misses";
         last = cache.counts(0).misses;
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Made-up traces whose misses, and why they were missed, are known.
+// Synthetic traces with known misses and known causes of each miss.
 #include "edgewise/measure/cache/scene_caches.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TracedAccess read_of(std::uint64_t address, std::uint32_t bytes = 8, std::uint8_
     return {address, bytes, AccessKind::read, field, step, TraceSide::table_a};
 }
 
-/// One query that reads the first bytes of these lines.
+/// Traces one query that reads the first bytes of each line in `lines`.
 void ask(SceneCaches& caches, const std::vector<std::uint64_t>& lines, std::uint8_t field = 0) {
     for (const std::uint64_t line : lines) caches.on_access(read_of(line * 64, 8, field, field));
     caches.on_query_end(true);
@@ -79,7 +79,7 @@ TEST(SceneCaches, ASecondPassFindsWhatTheFirstLeft) {
     EXPECT_EQ(caches.queries().all, 1U);
 }
 
-/// Every line that a pass brings in is a miss of its own, whatever stood there before.
+/// Every line that a pass fetches counts as one miss, regardless of the line that it replaces.
 TEST(SceneCaches, BringInALineForEachMiss) {
     const CacheMachine machine = small_machine();
     SceneCaches caches({&machine, 1}, 1, 1);

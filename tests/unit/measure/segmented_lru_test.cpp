@@ -30,7 +30,7 @@ std::vector<std::uint32_t> some_uses(std::uint64_t seed, std::size_t count, std:
     return uses;
 }
 
-/// The same by two queues, newest first.
+/// Reference for SegmentedLru: two queues of pages, newest first.
 class PlainSegments {
   public:
     PlainSegments(std::size_t mapped, std::size_t held) : most_mapped_(mapped), held_(held) {}

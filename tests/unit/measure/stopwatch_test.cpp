@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The stopwatch. Nothing here asserts how long anything takes; a stopwatch beside another clock, order and
-// sign do.
+// The stopwatch. No test asserts how long an operation takes. Tests compare the stopwatch with another clock,
+// and check the order and sign of its readings.
 #include "edgewise/measure/stopwatch.hpp"
 
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ inline Found by_name(const std::vector<measure::Figure>& figures) {
     return found;
 }
 
-/// Expects figures of these names with these values; no value: null with a reason.
+/// Expects a figure for each name in `values`, with its value; without a value: null with a reason.
 inline void expect_values(const std::vector<measure::Figure>& figures,
                           const std::map<std::string, std::optional<double>>& values) {
     const Found found = by_name(figures);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Every claim comes out in every way that it can, over synthetic report data; what is missing is never a
-// number, and none is judged without a rule. Claims of two stores compared: only claims whose verdict differs
-// are rows that changed, with the figures of both sides.
+// Synthetic report data gives every possible verdict of every claim. A missing figure is never shown as a
+// number, and no claim has a verdict without a rule. A comparison of the claims of two stores lists only
+// claims with different verdicts as changed, with the figures of both stores.
 #include "edgewise/reports/paper/claims/claims.hpp"
 
 #include <gmock/gmock.h>
@@ -258,7 +258,7 @@ TEST(Claims, ComeByKindAndSayWhereTheyHold) {
     EXPECT_EQ(kinds, (std::vector<std::string>{"primary", "mechanism", "background"}));
 }
 
-/// The same queries of two table types and two algorithms are one sample.
+/// Queries that two table types and two algorithms share count as one sample.
 TEST(Claims, CountIndependentQueriesOnce) {
     ReportData data;
     for (const std::string table : {"aos_f64", "lean_f64"})
@@ -314,7 +314,7 @@ Verdicts changed_rows(const measure::RecordComparison& found) {
     return changed;
 }
 
-/// Of every claim with a case, the data that meet its rule beside those that miss it.
+/// Compares, for every claim with a case, the data that meet its rule with the data that miss it.
 TEST(ClaimsRecord, DiffersInTheClaimsWhoseVerdictDiffersAndNoOthers) {
     for (const auto& cases : {speed_cases(), count_cases(), memory_cases()}) {
         for (const ClaimCase& one : cases) {

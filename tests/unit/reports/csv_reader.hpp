@@ -11,7 +11,7 @@
 
 namespace edgewise::reports {
 
-/// Rows of fields as they stand in the file.
+/// Returns the rows of a CSV text as fields, without their quotes.
 inline std::vector<std::vector<std::string>> parse_csv(const std::string& csv) {
     std::vector<std::vector<std::string>> rows{{""}};
     bool quoted = false;
@@ -45,7 +45,7 @@ class CsvTable {
     [[nodiscard]] bool has(const std::string& column) const {
         return std::count(rows_[0].begin(), rows_[0].end(), column) == 1;
     }
-    /// As it stands in the file.
+    /// Returns a field without changes; throws if the column is missing.
     [[nodiscard]] std::string raw(std::size_t row, const std::string& column) const {
         const auto found = std::find(rows_[0].begin(), rows_[0].end(), column);
         if (found == rows_[0].end()) throw std::runtime_error("no column " + column);
@@ -55,7 +55,7 @@ class CsvTable {
         std::string field = raw(row, column);
         return field.starts_with('\'') ? field.substr(1) : field;
     }
-    /// The row of which this column has this text; throws where there is none.
+    /// Returns the first row that has `value` in `column`; throws if no row has it.
     [[nodiscard]] std::size_t where(const std::string& column, const std::string& value) const {
         for (std::size_t row = 0; row < rows(); ++row)
             if (text(row, column) == value) return row;

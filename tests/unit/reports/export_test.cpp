@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What `edgewise export` writes, beside the data that it is of.
+// Compares the output of `edgewise export` with the exported data.
 #include "edgewise/reports/results/export.hpp"
 
 #include <gmock/gmock.h>

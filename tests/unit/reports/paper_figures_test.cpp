@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What comes with a figure of the paper: its points are those of the picture, its PDF is one, its text names
-// the commands of the store.
+// Files of a figure of the paper: the data file has the points of the picture, the PDF is a valid PDF, and
+// the text names the commands of the store.
 #include "edgewise/reports/page/pictures.hpp"
 
 #include <gmock/gmock.h>

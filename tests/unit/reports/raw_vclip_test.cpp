@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Raw V-Clip in the chapter: beside the hardened cell of the same queries, and in no claim.
+// The chapter shows raw V-Clip next to the hardened cell of the same queries; no claim uses raw V-Clip.
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
@@ -49,7 +49,7 @@ TEST(RawVClipGrid, StandsBesideTheHardenedOne) {
     EXPECT_EQ(wrong.rows[0][6].text, "0.03");
 }
 
-/// Of hard families too: a wrong distance is a wrong answer, and no bound of 3/n stands beside it.
+/// A wrong distance in a hard family counts as a wrong answer; its share is then shown without the bound 3/n.
 TEST(RawVClipGrid, CountsWrongDistancesOfFamilies) {
     ReportData data;
     ReportCell raw = made_up_cell("stability", "vclip", "{}",
@@ -78,7 +78,7 @@ TEST(RawVClipGrid, FailsNoClaim) {
     EXPECT_THAT(verdict_of(static_data(25)), testing::HasSubstr("answers checked 2000"));
 }
 
-/// A library has its own algorithm and table; its time stands beside V-Clip's on the paper's record.
+/// A library has its own algorithm and table; its time is compared with V-Clip on the paper's record.
 TEST(StaticGrid, HasLibrariesInPlaceOfGjkAndNoRawVClip) {
     ReportData data = static_data(0);
     ReportCell peer = made_up_cell("paper_static", "openGJK", "{}", times(50));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The report's chapter on caches, from synthetic figures whose tables are known.
+// The report's chapter on caches, from synthetic figures with known tables.
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/charts/charts.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A traced cell with so many misses under LRU, tree-PLRU and random replacement.
+/// Returns SQL for a traced cell with the given misses under LRU, tree-PLRU and random replacement.
 std::string traced_sql(const std::string& hash, const std::string& precision, double lru, double plru,
                        double random) {
     std::string sql = cell_sql(hash, "static", "cube8", 8, "vclip", precision, "verified", "");

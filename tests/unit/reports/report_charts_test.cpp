@@ -82,7 +82,7 @@ TEST(Charts, MarksAreCappedAndSaidSo) {
     EXPECT_THAT(notes[0], HasSubstr("of 1000 rows"));
 }
 
-/// What is 0 everywhere is a sentence, not a column; what was not measured anywhere is neither.
+/// A column of zeros becomes a sentence in the caption; a column with a missing value stays.
 TEST(TextGrid, ColumnsOfZerosBecomeASentence) {
     TextGrid grid{"Rows", columns_of("name|#wrong|#cases|#none"), {}};
     grid.rows = {{{"a"}, {"0"}, {"12"}, missing_cell("why")}, {{"b"}, {"0 (1 of 2)"}, {"0"}, {"0"}}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries take, from synthetic rows: who stands in the tables, in which order, with which machine's
-// misses, and the chapter that they stand in.
+// Tables of effort from synthetic rows: the algorithms and libraries that they show, their order, the
+// machines with simulated misses, and the chapter that shows the tables.
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/page/chapters/chapters.hpp"

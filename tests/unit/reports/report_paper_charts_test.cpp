@@ -155,7 +155,7 @@ TEST(PaperCharts, PagingIsPointsAndALineInOnePlot) {
     EXPECT_EQ(rows_where(values, "kind", "predicted").size(), 2U);
     ASSERT_EQ(chart.notes.size(), 1U);
     EXPECT_THAT(chart.notes[0], HasSubstr("1 limit")) << "the second has no measurement";
-    EXPECT_TRUE(chart.section.empty()) << "without the chapter it stands among the others";
+    EXPECT_TRUE(chart.section.empty()) << "without the chapter the chart is listed with the other charts";
 }
 
 TEST(PaperCharts, ThisMachineHasItsCachesBesideTheKnees) {

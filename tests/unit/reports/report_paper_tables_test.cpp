@@ -253,7 +253,7 @@ TEST(PaperThrash, TellsWhatLayoutsDoToIt) {
     EXPECT_EQ(thrash_grid(data).rows.size(), data.from_files.size());
 }
 
-/// Times of this machine stand in it, or it says that they are missing.
+/// The paragraph has the times of this machine, or says that they are missing.
 TEST(PaperThrash, TellsWhatThisMachineDoes) {
     ReportData data = made_up(calm, large);
     EXPECT_THAT(thrash_paragraph(data), HasSubstr("On this machine it was not timed"));

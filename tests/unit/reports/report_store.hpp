@@ -26,7 +26,7 @@ inline void execute(sqlite3* database, const std::string& sql) {
         throw std::runtime_error(std::string(error) + " in " + sql);
 }
 
-/// All columns but `run`, whose default is a sweep.
+/// SQL that inserts all columns of a cell except `run`, which defaults to a sweep.
 inline const std::string into_cell =
     "insert into cell(build, hash, scene, scene_parameters, shape, shape_source, algorithm, layout, precision, "
     "table_type, vertices, edges, faces, seed, queries, status, reason, axes) ";

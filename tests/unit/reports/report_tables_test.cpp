@@ -24,7 +24,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Of scene "cold" and cube8; theirs where `status` is "judged".
+/// Returns a cell of scene "cold" and cube8; it is of another library if `status` is "judged".
 ReportCell front_cell(store::CellStatus status, const std::string& name, double ns, std::optional<double> p50,
                       std::optional<double> p999, std::optional<double> worst, const std::string& axes = {}) {
     ReportCell cell =
@@ -196,7 +196,7 @@ TEST(ErrorAxis, HasTicksInsideAndAFloorOnlyForZeros) {
     EXPECT_EQ(ErrorAxis({0}).ticks().size(), 1U);
 }
 
-/// Of three rounds; theirs where `status` is "judged". No error: it gives verdicts alone.
+/// Returns a cell with three rounds, of another library if `status` is "judged". No error: verdicts only.
 ReportCell peer_cell(store::CellStatus status, const std::string& name, double ns,
                      std::optional<double> error) {
     ReportCell cell = base_cell("cold", "cube8", name, name, status);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The report against small stores written with raw SQL from the schema: what is in the store is in the
-// report, what was not measured is never a number, what failed stands first, and nothing is fetched when the
-// page is viewed.
+// The report of small stores written with raw SQL from the schema: every figure of the store is in the
+// report, a figure that was not measured is never a number, failed cells come first, and the page fetches
+// nothing when it is viewed.
 #include "edgewise/reports/page/report.hpp"
 
 #include <gmock/gmock.h>
@@ -157,7 +157,7 @@ TEST_F(Report, PageFetchesNothingAndEscapesNames) {
     EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
 }
 
-/// A store that somebody else wrote may hold anything under the key of a drawing.
+/// A store from an unknown source can hold any text under the key of a drawing.
 TEST_F(Report, DrawingsThatCouldRunAreNotShown) {
     const std::string plain = R"(<svg viewBox="0 0 1 1"><title>a</title><rect fill="#fff" x="1"/></svg>)";
     (void)write_report(make_store(store_sql() + "insert into meta values('drawing aos_f64','" + plain +

@@ -18,7 +18,7 @@
 namespace edgewise::reports {
 namespace {
 
-/// One scene with two cells, of which the second has a figure less; breakdowns and awkward numbers.
+/// Returns one scene with two cells, breakdowns and extreme numbers; the second cell lacks one figure.
 ReportData two_cells() {
     ReportData data;
     data.build.id = "b";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the chapter says of the study of figure 8, from made-up rows: which mechanisms can make it, which
-// cannot, and the cells that were made real.
+// The chapter on the study of figure 8, from synthetic rows: which mechanisms can cause the figure, which
+// cannot, and the modelled cells that were also run on this machine.
 #include "edgewise/reports/paper/chapter/thrash_study.hpp"
 
 #include <gmock/gmock.h>

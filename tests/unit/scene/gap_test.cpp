@@ -2,10 +2,10 @@
 //
 // The scene `gap`: the gaps that were asked for, measured by exact arithmetic, in every regime.
 //
-// A pair in contact is judged by two things. Drawn back along the line of approach by as much as was asked
-// for, t, B stands off by less than the bound: so deep it is along that line. And the exact depth, the
-// shortest way out, is between t w / s and t: the signed distance along the line is convex, 0 at the place s
-// of contact, and -w or less where the centres meet, w being twice the inner radius about them.
+// Two checks apply to a pair in contact. First, if B moves back along the line of approach by the requested
+// depth t, the bodies are separated by less than the bound: t is the depth along that line. Second, the exact
+// depth, the shortest way out, is between t w / s and t: the signed distance along the line is convex, 0 at
+// the place s of contact, and -w or less where the centres meet; w is twice the inner radius about them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct PlacedPair {
         const Vec3d centre = vertex_mean(body.vertices);
         return b.apply(centre) - a.apply(centre);
     }
-    /// With B drawn back along the line of approach.
+    /// Returns the distance after B moves back by `back` along the line of approach.
     [[nodiscard]] double distance(double back = 0) const {
         Pose pose = b;
         pose.translation += way() * (back * size() / norm(way()));
@@ -56,9 +56,9 @@ double inner_radius(const Polyhedron& body) {
 void expect_depth(const PlacedPair& pair, double asked) {
     const double at_contact = norm(pair.way()) / pair.size() + asked;
     const double slope = 2 * inner_radius(pair.body) / pair.size() / at_contact;  // or more, on the line
-    EXPECT_GT(pair.distance(asked + bound), 0) << "drawn back by what was asked, B stands off";
-    EXPECT_LT(pair.distance(asked), 2 * bound) << "but just";
-    EXPECT_EQ(pair.distance(asked - 2 * bound / slope), 0) << "and by less it does not";
+    EXPECT_GT(pair.distance(asked + bound), 0) << "moved back by the requested depth, B is separated";
+    EXPECT_LT(pair.distance(asked), 2 * bound) << "by less than the bound";
+    EXPECT_EQ(pair.distance(asked - 2 * bound / slope), 0) << "moved back by less, B still touches";
     EXPECT_LE(pair.depth(), asked + bound);
     EXPECT_GE(pair.depth(), (asked - 2 * bound / slope) * slope);
 }

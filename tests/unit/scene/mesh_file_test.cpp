@@ -137,8 +137,8 @@ TEST_F(MeshFile, RefusesFilesThatHoldNoBody) {
     }
 }
 
-/// None of these may reach the parser: it looks for the header's end without end, or reserves what is
-/// announced.
+/// Headers like these must not reach the parser: it would search for the end of the header forever, or
+/// reserve the announced memory.
 TEST_F(MeshFile, RefusesHeadersThatAnnounceMoreThanThereIs) {
     expect_refused(write("blank.ply", "\nply\nformat ascii 1.0\nend_header\n"),
                    "its first line is not 'ply'");

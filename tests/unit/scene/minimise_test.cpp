@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Made-up failures, of which the smallest case is known: the search finds it, and never leaves the failure.
+// Synthetic failures with a known smallest case: the search finds it, and every step still fails.
 #include "edgewise/scene/minimise.hpp"
 
 #include <gtest/gtest.h>

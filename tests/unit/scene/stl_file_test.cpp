@@ -20,7 +20,7 @@ const Vec3d half_sides(1, 0.5, 0.25);
 
 std::string box_text() { return stl_text(box_points(half_sides), box_faces()); }
 
-/// With a header that says solid, as many exporters write it, and with one that does not.
+/// Returns a binary STL file of a box. The default header begins with "solid", which many exporters write.
 std::string box_bytes(std::uint32_t announced = 12, const std::string& header = "solid box") {
     const auto points = box_points(half_sides);
     std::string bytes = header + std::string(80 - header.size(), header.empty() ? '\0' : ' ');

@@ -23,7 +23,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// What one store is made of.
+/// Contents of one synthetic store.
 struct Made {
     std::string shard = {}, seed = "1", plan = "quick", revision = "abc", build = "build-1";
     bool complete = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Stores of the schema before this one, and files that may not be written: all are read; and who reads leaves
-// nothing behind.
+// Stores of the previous schema and read-only files can be read, and reading leaves no files
+// behind.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace {
 
 using testing::UnorderedElementsAre;
 
-/// What schema version 5 called its rows, and what they are.
+/// Name of a scene in schema version 5, and the scene and run that it has now.
 struct OldRow {
     const char *old_scene, *scene, *run;
 };

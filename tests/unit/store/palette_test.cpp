@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether the colours of layouts can be told apart: CIELAB distances (CIE 1976) as seen with normal colour
+// Checks that the colours of layouts differ visibly: CIELAB distances (CIE 1976) as seen with normal colour
 // vision, and with deuteranopia and protanopia as Machado, Oliveira and Fernandes simulate them ("A
-// Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, severity 1). And whether they
-// stand out from the page, by WCAG's contrast.
+// Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, severity 1). Also checks
+// their contrast with the page, as WCAG defines it.
 #include "edgewise/store/palette.hpp"
 
 #include <gtest/gtest.h>

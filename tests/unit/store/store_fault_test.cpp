@@ -80,8 +80,8 @@ TEST_F(StoreTest, AFullDiskLosesNothingThatWasFinished) {
     EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
-/// Bytes overwritten at many places: whoever opens it reads what is there or gets one line; nobody crashes,
-/// and a file whose header is gone is left as it is.
+/// Files with bytes overwritten at many places: opening a file reads it or gives an error of one line, never
+/// a crash. A file without its header is not changed.
 TEST_F(StoreTest, ADamagedFileIsOneLine) {
     {
         Store store(path_);
@@ -192,8 +192,8 @@ TEST_F(StoreTest, KillLosesNoAcknowledgedRound) {
         ASSERT_GE(last, first + enough);
         const Store store(path_);
         const auto rounds = store.rounds("build-1", "cell-1");
-        // Nothing acknowledged is missing; at most the one round whose acknowledgement the kill prevented is
-        // more.
+        // No acknowledged round is missing. At most one more round is stored: the kill came before its
+        // acknowledgement.
         ASSERT_GE(static_cast<int>(rounds.size()), last + 1);
         ASSERT_LE(static_cast<int>(rounds.size()), last + 2);
         unacknowledged += static_cast<int>(rounds.size()) - (last + 1);
@@ -204,7 +204,7 @@ TEST_F(StoreTest, KillLosesNoAcknowledgedRound) {
         EXPECT_EQ(store.rounds_done("build-1", "cell-1"), store.rounds_done("build-1", "cell-2"));
         first = static_cast<int>(rounds.size());
     }
-    std::printf("rounds kept: %d, of these %d committed but not yet acknowledged at a kill\n", first,
+    std::printf("rounds kept: %d, including %d committed but not yet acknowledged at a kill\n", first,
                 unacknowledged);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields that travel together: what is counted of a made-up trace, the best groups beside all there are, and
-// a trace told again beside that of a table which was built so: access by access the same.
+// Fields that are read together: counts of a synthetic trace, the best groups compared with all groups, and a
+// replayed trace compared, access by access, with the trace of a table built in those groups.
 #include "edgewise/studies/fields/fields.hpp"
 
 #include <gmock/gmock.h>

@@ -13,7 +13,7 @@
 
 namespace edgewise::studies {
 
-/// Of row i: its time is so many times its reference's, before noise.
+/// Returns the true ratio of row i: its time divided by its reference's, before noise.
 [[nodiscard]] inline double true_ratio(std::size_t i) { return 0.5 + 0.25 * static_cast<double>(i % 12); }
 
 /// Up to 4 % more than the truth, and one time in twenty, hit by an interrupt, twice of it.

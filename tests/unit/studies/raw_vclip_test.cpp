@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Raw V-Clip: where the hardened one asked nobody its answer is the same to the last bit (not its steps: the
-// hardened one starts cold queries nearer, and contact may leave both at other features); where it did, raw
-// V-Clip ends all the same, and on hard families it is wrong where the hardened one is right.
+// Raw V-Clip: where hardened V-Clip did not ask GJK, both answers are the same to the last bit. Their steps
+// may differ: hardened V-Clip starts cold queries nearer, and after contact the two may be at different
+// features. Where hardened V-Clip asked GJK, raw V-Clip still ends; in hard families raw V-Clip is wrong.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -45,7 +45,7 @@ TEST(RawVClip, IsTheHardenedOneWhereThatAsksNobody) {
             EXPECT_EQ(raw[i].distance, hard[i].distance) << shape << " " << i;
         }
     }
-    std::printf("%zu answers alike, %zu that asked GJK\n", alike, asked);
+    std::printf("%zu identical answers, %zu that asked GJK\n", alike, asked);
     EXPECT_GT(alike, 1000U);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How scaling is put together: which numbers of threads, rows for each, sums that must be those of single
-// queries, and what is refused. What a thread gains is nobody's to promise here.
+// Structure of the scaling study: numbers of threads, rows for each number, sums that must equal those of
+// single queries, and refused options. No test expects a speedup from more threads.
 #include "edgewise/studies/threads/scaling.hpp"
 
 #include <gmock/gmock.h>

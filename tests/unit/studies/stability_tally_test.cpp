@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a stability row counts, from answers that were made up.
+// Counts of a stability row, from synthetic answers.
 #include "edgewise/studies/stability/stability_tally.hpp"
 
 #include <gtest/gtest.h>

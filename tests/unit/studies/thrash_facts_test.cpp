@@ -17,7 +17,7 @@ SpeedCurve flat(double ns) {
     return curve;
 }
 
-/// As the paper draws it: V-Clip up and down under 1.2 ms, GJK at the bottom.
+/// Returns figure 8 as the paper draws it: V-Clip goes up and down below 1.2 ms, GJK is at the bottom.
 Figure8 papers_figure() {
     return {flat(7e4), flat(9e4), {9e5, 6e5, 1.1e6, 8e5, 1e6, 7e5, 1e6}, flat(7e4), flat(1e5), flat(1e5)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A cell whose tables find no memory is unavailable and says so: it did not fail its check.
+// If memory for the tables runs out, the cell is unavailable, with that reason: it did not fail its check.
 #include <gmock/gmock.h>
 
 #include "edgewise/input/guarded.hpp"

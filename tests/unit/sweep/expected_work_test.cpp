@@ -68,7 +68,7 @@ TEST(ExpectedWork, IsWhatTheLastRunTook) {
     EXPECT_EQ(mixed[0].all(), estimated[0].all());
 }
 
-/// Twice the processors halve what runs beside others, and nothing else.
+/// Doubling the processors halves the time of traces, which run in parallel, and of no other step.
 TEST(ExpectedWork, SharesTracesAmongProcessors) {
     const SweepWork work = two_scenes();
     const SceneWork& scene = work.scenes[1];
@@ -176,7 +176,7 @@ TEST(TimeLeft, IsNearTheTruthOrNotSaid) {
               0.4);
 }
 
-/// The same sweep once more into the same store: every group's seconds are known.
+/// If a sweep runs again into the same store, the seconds of every group are known.
 TEST(TimeLeft, IsSaidFromTheStartWhereTheLastRunIsKnown) {
     scene::Rng rng(5);
     std::vector<Done> run = recorded(recorded_quick, plan_of(17, 200));

@@ -189,7 +189,7 @@ void expect_scene(const SceneChoice& scene, const PaperScene& wanted) {
     EXPECT_EQ(scene.shapes, own ? Names{} : (Names{"sphere38", "sphere386"})) << name;
 }
 
-/// What stores of the paper's sweep were made by, as its file must say it.
+/// The file of the plan `paper` must describe the sweep that made the stores of the paper.
 TEST(Plan, PaperIsWhatItsStoresHold) {
     const Plan paper = make_plan("paper"), quick = make_plan("quick");
     std::size_t next = 0;

@@ -66,7 +66,7 @@ TEST(SceneNames, OfStudiesAndBeginningsAreFree) {
     EXPECT_EQ(complaint({"paper_mine.json", "paper_bodies_of_mine.json"}), "");
 }
 
-/// Of two runs into one store: the other file is named as well.
+/// If two runs into one store use different files for a scene, the error names both files.
 TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
     const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-files";
     std::filesystem::remove_all(folder);
@@ -91,7 +91,7 @@ TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
     std::filesystem::remove_all(folder);
 }
 
-/// The same file twice is one scene, asked of other layouts, say.
+/// A file that is named twice is one scene, for example for other layouts.
 TEST(SceneNames, OfOneFileDoNotMeet) {
     const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-names";
     std::filesystem::create_directories(folder);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the tests of certificates share: pairs, claims about them, and the truth, which is not a double but
-// the rational square that exact_distance rounds.
+// Shared parts of the tests of certificates: pairs, claims about them, and the exact result, which is not a
+// double but the rational square that exact_distance rounds.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace edgewise::truth::certificate_claims {
 
 using Pair = PosedPoints;
 
-/// What an answer claims.
+/// Closest points and direction that an answer claims.
 struct Claim {
     std::vector<std::uint32_t> on_a, on_b;
     std::vector<double> weights;

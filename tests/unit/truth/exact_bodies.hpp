@@ -85,7 +85,7 @@ class RandomBodies {
         return points;
     }
 
-    /// From a quaternion with a part (w, u): orthogonal to rounding.
+    /// Returns the rotation of a quaternion with parts (w, u): orthogonal to rounding.
     [[nodiscard]] Mat3d rotation() {
         const Vec3d u = unit();
         const double w = number();

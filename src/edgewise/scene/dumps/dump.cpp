@@ -302,7 +302,7 @@ std::optional<ReportedAnswer> reported_in(std::string_view text) {
     return ReportedAnswer{"FCL, as reported", fmt::format("threw: {}", text), std::nullopt};
 }
 
-/// Returns the text after each of these words, up to the next word. Each word must occur once.
+/// Returns the text after each word of `words`, up to the next word. Throws if a word is missing or repeated.
 template <std::size_t Count>
 std::array<std::string_view, Count> sections_of(std::string_view text,
                                                 const std::array<std::string_view, Count>& words) {

@@ -30,8 +30,8 @@ struct PastedPair {
     std::optional<ReportedAnswer> reported;
 };
 
-/// Reads a pasted text in any of these formats. `where` begins every message. Errors name what is missing and
-/// what is read; the warning says that a matrix was replaced by the nearest rotation.
+/// Reads a pasted text in any format listed above. `where` begins every message. Errors name what is missing
+/// and what is read; the warning says that a matrix was replaced by the nearest rotation.
 [[nodiscard]] Result<PastedPair> read_pasted(std::string_view text, const std::string& where);
 
 /// 12 or 16 numbers, row by row, the translation last in each row; the fourth row is 0 0 0 1. `name` opens

@@ -37,7 +37,7 @@ const std::vector<HardFamily> all = {
      "zero first direction, depth ties, V-Clip's local minimum", deep_and_concentric},
     {"tie_rich_solids", "cubes, octahedra, icosahedra, cylinders over each other's vertices and edges",
      "equal support values", tie_rich_solids},
-    {"voronoi_straddle", "the closest point on a Voronoi plane, or a step beside it", "states that flip",
+    {"voronoi_straddle", "the closest point on a Voronoi plane, or slightly off it", "states that flip",
      voronoi_straddle},
     {"coherent_motion", "sliding at a constant gap, rolling, oscillation across contact, with the cache kept",
      "stale caches, cycles", coherent_motion, true},

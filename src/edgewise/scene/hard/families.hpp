@@ -51,9 +51,9 @@ class Maker {
 
     /// One of the 24 rotations that map the axes onto one another; exact.
     [[nodiscard]] Mat3d quarter_turn();
-    /// By any angle (radians) about any axis but zero.
+    /// Returns a rotation by any angle (radians) about any axis except zero.
     [[nodiscard]] static Mat3d turn(const Vec3d& axis, double angle);
-    /// Identity, 45 degrees about an axis, or any.
+    /// Returns the identity, 45 degrees about an axis, or a random rotation.
     [[nodiscard]] Mat3d common_rotation();
 
     [[nodiscard]] static std::vector<Vec3d> box(double x, double y, double z);  ///< half extents
@@ -105,7 +105,7 @@ struct HardFamily {
     bool warm = false;  ///< the poses of a pair follow each other, and its cache is kept
 };
 
-/// In the order of the report.
+/// Returns all families, in the order of the report.
 [[nodiscard]] std::span<const HardFamily> hard_families();
 
 }  // namespace edgewise::scene

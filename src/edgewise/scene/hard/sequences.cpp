@@ -15,7 +15,7 @@ namespace {
 
 constexpr int steps = 50;
 
-/// Over a face at a constant gap, along a direction of the face.
+/// Moves B over a face at a constant gap, along a direction of the face.
 void slide(Maker& maker, Pair& pair, const Mat3d& common) {
     const double gap = maker.either_sign(maker.spread(-40, -4));
     const Vec3d way = maker.pick({Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0.5, 1, 0)}) * 0.05;
@@ -107,7 +107,7 @@ Mat3d turn_of(Maker& maker) {
     return maker.rng.rotation();
 }
 
-/// Where B lies: at A's own place, shifted in the plane, and out of it by about the thickness.
+/// Returns the place of B: that of A, or shifted in the plane, out of it by about the thickness, or both.
 Vec3d place_of(Maker& maker) {
     Vec3d place = Vec3d::Zero();
     if (maker.rng.below(2) == 0) place = maker.rng.in_cube(1).cwiseProduct(Vec3d(1, 1, 0));
@@ -119,7 +119,7 @@ struct ThinBodies {
     CaseBody a, b;
 };
 
-/// In every eighth pair one body is up to a million times as large.
+/// Returns two thin bodies. In every eighth pair one body is up to a million times as large.
 ThinBodies thin_bodies_of(Maker& maker) {
     ThinBodies bodies{{"a", thin_body(maker), {}}, {"b", {}, {}}};
     bodies.b.vertices = partner_of(maker, bodies.a.vertices);

@@ -92,7 +92,7 @@ Result<Workload> make_cold(const SceneSetup& setup) {
     return Result<Workload>::success(std::move(workload));
 }
 
-/// In body sizes, one for each query.
+/// Returns one gap for each query, in body sizes.
 std::vector<double> spread_gaps(const SceneSetup& setup, Rng& rng) {
     std::vector<double> gaps;
     for (std::size_t i = 0; i < setup.query_count; ++i) {

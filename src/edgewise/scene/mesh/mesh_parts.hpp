@@ -42,7 +42,7 @@ struct MeshPart {
 /// it expects.
 [[nodiscard]] Result<std::vector<MeshPart>> stl_parts(std::string_view bytes);
 
-/// Empty, or what is wrong with the file at that path. Its ending or first letters say which format it is:
+/// Returns an error of the file at that path; empty if none. Its ending or first letters give the format:
 /// the sizes in its header are compared with its bytes before a parser reserves memory for it or looks for
 /// lines that are not there. PLY (paulbourke.net/dataformats/ply) and OFF (paulbourke.net/dataformats/off).
 [[nodiscard]] std::string mesh_header_error(const std::string& path);
@@ -53,7 +53,7 @@ struct MeshPart {
 /// Bytes of a PLY scalar; 1 of an unknown one.
 [[nodiscard]] std::uint64_t ply_bytes(std::string_view type);
 
-/// Empty, or what is wrong with the rows of a PLY or OFF file that passed mesh_header_error.
+/// Returns an error in the rows of a PLY or OFF file that passed mesh_header_error; empty if none.
 /// Assimp takes a row of a face for a vertex where a count is off by one, and 0,5 for a number.
 [[nodiscard]] std::string ply_rows_error(std::string_view bytes);
 [[nodiscard]] std::string off_rows_error(std::string_view text);

@@ -25,7 +25,7 @@ struct ExactDepth {
     Vec3d normal = Vec3d::Zero();
 };
 
-/// For bodies in contact; fails on separated bodies, on an empty set, NaN or infinity. The seed may be
+/// Depth of bodies in contact; fails on separated bodies, an empty set, NaN or infinity. The seed may be
 /// the simplex of an exact_distance of the same pair. Throws std::logic_error if an answer fails its proof,
 /// which only a defect of this program can cause.
 [[nodiscard]] Result<ExactDepth> exact_depth(std::span<const Vec3d> a, const Pose& pose_a,

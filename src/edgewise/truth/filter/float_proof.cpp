@@ -42,7 +42,7 @@ double squared_gap(const MinimumSimplex<Vec3d>& simplex) {
 // difference of translations, summed in double-double: off by less than 2^-96 of the lengths in it. So is a
 // height along a unit direction.
 
-/// The bound of these sums, relative to the lengths in them: 2^-96 with a margin of 64.
+/// Error bound of double-double sums, relative to the lengths in them: 2^-96 with a margin of 64.
 constexpr double wide_rounding = 0x1p-90;
 
 /// R v

@@ -37,7 +37,7 @@ struct FloatProof {
     [[nodiscard]] double width() const { return upper - lower; }
 };
 
-/// `guess`: a direction from A to B in the world, of any length; zero or NaN is none. Ends as soon as the
+/// `guess`: a direction from A to B in the world, of any length; zero or NaN: no guess. Ends as soon as the
 /// interval is no wider than `width`. Rotations and translations must be finite.
 [[nodiscard]] FloatProof prove_distance(ScannedBody& a, const Pose& pose_a, ScannedBody& b,
                                         const Pose& pose_b, const Vec3d& guess, double width);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Made cells for the answer: a ratio with its rounds, an error, bytes. Every cell of one scene is timed
-// beside a baseline of 100 ns.
+// in the same rounds as a baseline of 100 ns.
 #pragma once
 
 #include <string>

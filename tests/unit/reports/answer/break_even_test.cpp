@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The break-even map of made stores. The oracle looks at the store's cells alone, one by one: who is fastest
-// at a place, who reaches it, and whether there is anything.
+// The break-even map of synthetic stores. The expected map is computed from the cells of the store alone: the
+// fastest cell at each place, the cells that tie with it, and if the place has any cell.
 #include "edgewise/reports/answer/break_even_map.hpp"
 
 #include <gmock/gmock.h>
@@ -214,7 +214,7 @@ TEST(BreakEvenMap, SaysFromHowManyVerticesOnWhoWins) {
                             "386 vertices V-Clip on lean."));
     EXPECT_EQ(break_even_sentence(map),
               "Of 3 places that were measured, one algorithm and layout wins in 3 (GJK on points_soa 2, "
-              "V-Clip on lean 1); several tie in 0, and 0 are too noisy to tell.");
+              "V-Clip on lean 1); several tie in 0, and 0 are too noisy to rank.");
     const MapCell& small = map.panels[0].rows[0].cells[0];
     ASSERT_TRUE(small.best_of_others());
     EXPECT_THAT(cell_text(small), HasSubstr("V-Clip on lean_f64 takes 1.61 times as long"));
@@ -251,7 +251,7 @@ TEST(BreakEvenMap, APlaceWithoutAnswerSaysWhy) {
     EXPECT_THAT(grid.caption, HasSubstr("2 of 3 bodies"));
 }
 
-/// Of scenes at one place the nearest to its turn stands there, and the others are counted.
+/// If several scenes share a place, the map shows the one nearest to its turn and counts the other scenes.
 TEST(BreakEvenMap, OneSceneAPlace) {
     ReportData data;
     const MapScene near{"tumble", R"({"rotation_step":0.11})", "", ""},

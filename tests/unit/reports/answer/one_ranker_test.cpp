@@ -35,8 +35,8 @@ const std::string question_scenes[] = {R"({"bodies":100,"rotation_step":0.001})"
                                        R"({"bodies":50,"own_tables":1,"rotation_step":0.01})",
                                        R"({"bodies":600,"own_tables":1,"rotation_step":0.1})"};
 
-/// What differs between the stores: how far cells are apart, how wide their rounds spread, by how much the
-/// baseline differs from itself, which errors there are, and how many cells are missing or failed.
+/// Parameters of a synthetic store: the factor from cell to cell in time, the spread of rounds, the own
+/// variation of the baseline, the errors of cells, and the fractions of cells that are missing or failed.
 struct StoreKind {
     double step, spread, own_variation;
     std::vector<double> errors;

@@ -11,7 +11,7 @@
 namespace edgewise::reports {
 namespace {
 
-/// One table type in as many processes as there are ratios; rounds within a process spread by a hundredth.
+/// Adds one table type, measured in one process per ratio; rounds within a process spread by 1 %.
 void add_processes(ReportData& data, const std::string& layout, const std::vector<double>& ratios,
                    double error = 1e-16) {
     for (const double ratio : ratios)

@@ -65,7 +65,7 @@ TEST(BodyHeat, LevelsAreLogarithmic) {
     EXPECT_EQ(heat_level(10, 10), 5U);
 }
 
-/// Of a cube three faces, nine edges and seven vertices are in sight.
+/// Three faces, nine edges and seven vertices of a cube are visible.
 TEST(BodyHeat, ThePictureHasWhatIsInSightInItsColour) {
     const ReportData data = body_data(heat_text);
     const HeatOnBodies found = heat_on_bodies(data);

@@ -30,7 +30,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// What the report says in its prose and about its charts.
+/// Returns all prose of the report and all text of its charts, in lower case.
 std::string all_prose() {
     std::string text;
     for (const EmbeddedText& one : embedded_texts())

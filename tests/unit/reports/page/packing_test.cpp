@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page carries packed is what it was: unpacked again by zlib and by hand.
+// Packed data of the page unpack to the original text, by zlib and by hand.
 #include "edgewise/reports/page/packing.hpp"
 
 #include <gmock/gmock.h>

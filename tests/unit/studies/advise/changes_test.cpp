@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What another question would change in an advice: each sentence where it is true, and only there.
+// Sentences on how another question would change an advice: each appears if and only if it is true.
 #include "edgewise/studies/advise/changes.hpp"
 
 #include <gmock/gmock.h>

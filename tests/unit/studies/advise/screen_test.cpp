@@ -34,7 +34,7 @@ std::size_t cells_of_program() {
     return cells;
 }
 
-/// Of layouts for bodies of fewer vertices, which not every build has.
+/// Returns the number of cells with layouts for bodies of fewer vertices; not every build has such layouts.
 std::size_t cells_that_refuse(const Polyhedron& body) {
     std::size_t cells = 0;
     for (const bench::TableType& type : bench::table_types())
@@ -86,7 +86,7 @@ TEST(Screen, LetsAllInThatALargeErrorAllows) {
         EXPECT_NE(cell.dropped_for, DroppedFor::error) << cell.name();
 }
 
-/// Whoever is the fastest: it alone is left, with the baseline and whom the clock cannot tell from it.
+/// Only the fastest cell is left, with the baseline and cells with the same time as the fastest.
 TEST(Screen, LeavesOutWhoIsSlowerThanAllowedButNotTheBaseline) {
     ScreenOptions strict = short_look;
     strict.slowest = 1;

@@ -102,7 +102,7 @@ std::vector<Vec3d> box(const Vec3d& sides) {
     return points;
 }
 
-/// Bodies whose farthest vertices in turn may lie in one plane: every smaller body is a solid all the same.
+/// Vertices chosen as the farthest may lie in one plane here; every smaller body must still be a solid.
 TEST(VertexBudget, GivesSolidsOfBoxesPrismsAndPlates) {
     std::vector<std::vector<Vec3d>> all = {scene::make_shape("cube8")->vertices, box({1, 2, 3}),
                                            box({1, 1, 5}), box({1, 1, 1e-6}), box({1e-5, 1, 1})};

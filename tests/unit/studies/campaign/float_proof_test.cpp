@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Proofs in double beside exact arithmetic, on pairs of every family of a campaign: what is proved is true,
-// and nearly everything is proved.
+// Compares proofs in double with exact arithmetic, on pairs of every family of a campaign: every proved
+// statement is true, and nearly every statement is proved.
 #include "edgewise/truth/filter/float_proof.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ double depth_of(const Block& block, const std::pair<Pose, Pose>& poses, const tr
         ->depth;
 }
 
-/// As a guess: nothing, the answer, the answer a little off, anything.
+/// Returns a first guess of the separation: zero, the answer, the answer with a small error, or random.
 Vec3d guess(const truth::ExactDistance& exact, scene::Rng& rng) {
     switch (rng.below(4)) {
         case 0:
