@@ -7,7 +7,7 @@
 
 namespace edgewise::store {
 
-/// Which queries a figure is about. A query starts cold if it is its pair's first, or if the scene keeps no
+/// The queries that a figure counts. A query starts cold if it is its pair's first, or if the scene keeps no
 /// answers; it starts warm from its pair's kept answer.
 enum class Population {
     none,
@@ -338,7 +338,7 @@ inline constexpr FigureInfo thrash[] = {
 };
 
 // Fields of a table's records (studies/fields): which are read together, in which groups they should lie, and the
-// result. The table `whose`: original (as given), own_groups (the same groups, chosen at run time), control (the
+// result. {whose} is a table: original (as given), own_groups (the same groups, chosen at run time), control (the
 // original a second time), predicted, advised (as it was built), beside (a table made by hand).
 inline constexpr FigureInfo fields[] = {
     {"fields.bytes.{field}", "B", Population::none, Repeats::exactly, "bytes of the field; fields are numbered in the order of their records"},
