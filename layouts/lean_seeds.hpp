@@ -4,7 +4,7 @@
 // queries after a large turn begin (layout_parts/seeds.hpp). A seed takes 1, 2 or 4 bytes; there are none
 // below 32 vertices.
 //
-//     lean_seeds       26 directions (27 seeds): the axes, edges and corners of a cube; MuJoCo keeps as many
+//     lean_seeds       26 directions (27 seeds): the axes, edges and corners of a cube; MuJoCo keeps 27, too,
 //                      with each mesh (layouts/mujoco.hpp)
 //     lean_seeds114    seven rings of latitude and two poles: the number of SWIFT's smaller look-up table
 //     lean_seeds482    fifteen rings and two poles: that of SWIFT's middle table

@@ -2,7 +2,7 @@
 //
 // One cache line of 64 bytes per vertex: its coordinates, its number of neighbours, and their indices: 9 in
 // double, 12 in single. A climb that reaches a vertex has both on the line that it read to get there.
-// Proposed by Greer (arXiv 2509.03753, 2025), who reports support queries up to five times as fast; the idea
+// Greer proposed it (arXiv 2509.03753, 2025) and reports support queries up to five times as fast; the idea
 // and the size come from that paper, the fields are ours. For GJK only: no plane is stored, and none derived.
 //
 // The price: 21.4 bytes per edge in double and in single, and a scan reads a line per vertex. If a vertex has

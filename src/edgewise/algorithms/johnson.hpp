@@ -11,10 +11,10 @@
 // cancellation in <w_i,w_m> - <w_i,w_k> is where the textbook form loses its digits.
 //
 // Departures. A tetrahedron holds the origin only if the signed volumes of its four corners show it beyond
-// their rounding: on a flat one the cofactors are noise and may all be positive. And when rounding leaves no
-// subset that passes, the backup procedure weighs every subset with positive cofactors by its own distance
+// their rounding: on a flat one the cofactors are noise and may all be positive. If rounding leaves no
+// subset that passes, the backup procedure computes the distance of every subset with positive cofactors
 // and takes the nearest; positive weights always give a point of the simplex, so the answer is never
-// invalid. It also checks triangles with almost collinear corners, whose cofactors are noise.
+// invalid. It also checks triangles with almost collinear corners, because their cofactors are noise.
 //
 // Johnson, not signed volumes throughout, because the replicated paper ran it, and because the backup already
 // covers flat simplices. Unless it is asked for (query_options.hpp), most simplices are decided without

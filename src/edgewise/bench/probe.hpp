@@ -87,7 +87,7 @@ constexpr Probe probe_of(std::string_view name) {
     return {name, Measuring::summary, Measuring::measure, beside_others, of_peers};
 }
 
-/// Every probe of this program, in the order of the manifest probes/CMakeLists.txt.
+/// Returns every probe of this program, in the order of the manifest probes/CMakeLists.txt.
 [[nodiscard]] std::span<const Probe> registered_probes();
 
 }  // namespace edgewise::bench

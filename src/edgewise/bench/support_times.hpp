@@ -62,7 +62,7 @@ template <class Table>
     return sum;
 }
 
-/// Empty for an algorithm that asks for more than support points.
+/// Returns the times of support queries. Empty if the algorithm reads more than support points.
 template <class Algorithm, class Table>
 [[nodiscard]] SupportTimes time_supports(const std::vector<Table>& tables, int repetitions) {
     using Scalar = ComputeOf<Table>;

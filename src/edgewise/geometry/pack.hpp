@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers side by side, as many as a vector register of the target holds, in the compiler's own vector types:
-// the same source becomes AVX, SSE or NEON. g++ takes the comparisons of wider vectors apart into single
-// numbers. Used inside functions only: no type that a user links is made of it, so that none depends on
+// A pack has the numbers that fit one vector register of the target, in the compiler's own vector types: the
+// same source becomes AVX, SSE or NEON. g++ splits comparisons of wider vectors into single numbers. Packs
+// are used inside functions only: no type that a user links contains one, so that no such type depends on
 // machine flags.
 #pragma once
 

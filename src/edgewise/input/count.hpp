@@ -15,7 +15,7 @@
 
 namespace edgewise::input {
 
-/// From `least` to `most`, both allowed.
+/// Range of a count: from `least` to `most`, both allowed.
 struct CountRange {
     std::uint64_t least = 0, most = UINT64_MAX;
     std::string_view unit = "";  ///< of what it counts, such as "queries"
@@ -31,14 +31,14 @@ inline constexpr CountRange bodies_or_none{0, 100'000, "bodies"};
 inline constexpr CountRange steps_or_none{0, 1'000'000, "steps"};
 inline constexpr CountRange seed_range{};
 
-/// A count from digits alone: "30000". The error names no place: "'-1' wants a whole number of queries, 1 to
-/// 100".
+/// Parses a count of digits only: "30000". The error text names no place: "'-1' wants a whole number of
+/// queries, 1 to 100".
 [[nodiscard]] Result<std::uint64_t> parse_count(std::string_view text, const CountRange& range);
 
-/// A count from a JSON number without a fraction: 30000, or 3e4.
+/// Returns a count from a JSON number without a fraction: 30000, or 3e4.
 [[nodiscard]] Result<std::uint64_t> count_from(const nlohmann::json& value, const CountRange& range);
 
-/// From `least` to `most`, both allowed; without `least` if `is_above`.
+/// Range of a number: from `least` to `most`, both allowed; without `least` itself if `is_above`.
 struct NumberRange {
     double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
     std::string_view unit = "";  ///< of what it is a number, such as "seconds"

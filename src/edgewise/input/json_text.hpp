@@ -44,7 +44,7 @@ class RepeatedMember {
     void end_object() { objects_.pop_back(); }
     void take(std::string name);
 
-    /// Its path, such as "a.vertices"; empty if no object has a member twice.
+    /// Returns the path of the member, such as "a.vertices"; empty if no object has a member twice.
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:

@@ -12,15 +12,15 @@ namespace edgewise::measure {
 
 struct Timing {
     std::uint64_t separated_queries = 0, overlapping_queries = 0;
-    double separated_ns = 0, overlapping_ns = 0;  ///< total time of those queries, clock cost subtracted
-    /// Queries of either kind: their answers do not say whether the bodies are in contact.
+    double separated_ns = 0, overlapping_ns = 0;  ///< total time per kind, clock cost subtracted
+    /// Queries of unknown kind: their answers do not say if the bodies are in contact.
     std::uint64_t either_queries = 0;
     double either_ns = 0;
-    /// First queries of followed pairs, which start cold: apart of all of the above, each timed by itself.
+    /// First queries of followed pairs, which start cold. Each is timed alone, and is not counted above.
     std::uint64_t first_queries = 0;
     double first_ns = 0;
 
-    /// Nanoseconds per query, of each kind and of all as they come; null where none was timed.
+    /// Returns nanoseconds per query of each kind, and of all in their order; nothing if none was timed.
     [[nodiscard]] std::optional<double> separated() const {
         return per_query(separated_ns, separated_queries);
     }

@@ -39,7 +39,7 @@ struct PartOf {
     std::size_t index = 0, count = 1;
 };
 
-/// What a store to be merged says of itself.
+/// The description of a store that is to be merged: its path, meta and revisions.
 struct MergeSource {
     std::string path;
     std::map<std::string, std::string> meta;

@@ -22,7 +22,7 @@ inline constexpr std::array<NamedColour, 7> component_colours = {{{"voronoi_plan
                                                                   {"topology", "#009e73"},
                                                                   {"input_order", "#d55e00"},
                                                                   {"padding", "#d9d9d9"}}};
-/// For components of a store that the list does not have.
+/// Colours of a store's components that are not in the list.
 inline constexpr std::array<std::string_view, 4> further_component_colours = {"#a0522d", "#f0e442", "#2e4057",
                                                                               "#8d6a9f"};
 

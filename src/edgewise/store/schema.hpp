@@ -7,17 +7,17 @@
 namespace edgewise::store {
 
 inline constexpr int store_schema_version = 6;
-/// The oldest version that this program opens. It had no column `run`: the name of a scene said what measured
-/// a row.
+/// The oldest version that this program opens. It had no column `run`: the name of a scene said which run
+/// measured a row.
 inline constexpr int store_schema_of_old_names = 5;
 inline constexpr int store_application_id = 0x45644765;  ///< "EdGe"
 
-// Keys of `meta` are one of these texts, followed by a name where the text ends with a blank.
+// A key of `meta` is a text below. If the text ends with a blank, a name follows it.
 
 /// Followed by a table type's name: the picture of that table, as SVG.
 inline constexpr const char* drawing_key = "drawing ";
 
-/// Followed by a layout's name: what it stores and what it derives, in one line.
+/// Followed by a layout's name: the data that it stores and the data that it derives, in one line.
 inline constexpr const char* layout_key = "layout ";
 
 /// body_key followed by a shape's name: the body; heat_key followed by a cell's hash: how often its scene
@@ -37,8 +37,8 @@ inline constexpr const char* run_key = "run ";
 /// Followed by the table type of another library's cells: the library.
 inline constexpr const char* peer_key = "peer ";
 
-/// Which shard of a sweep a store is, "3/8": the fourth of eight. The other key has the same value once that
-/// shard is complete.
+/// shard_key: the shard of a sweep that the store has; "3/8" is the fourth of eight. complete_key: the same
+/// value, once the shard is complete.
 inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 
 /// Followed by the name of a comparison, of a group of a sweep or of another run: the seconds that it took

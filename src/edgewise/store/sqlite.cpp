@@ -28,7 +28,7 @@ const char* remedy(int code) {
                    "that may not be written must be copied with its log";
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            return "; another program holds it: end that one or name another store";
+            return "; another program holds it: end that program or name another store";
         case SQLITE_READONLY:
             return "; make it writable or name another store";
         case SQLITE_FULL:

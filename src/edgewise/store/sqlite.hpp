@@ -63,7 +63,7 @@ class Statement {
 
     /// True while there is a row to read.
     bool step();
-    /// For statements that return no row.
+    /// Runs a statement that returns no row.
     void run() {
         while (step()) {
         }

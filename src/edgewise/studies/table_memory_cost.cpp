@@ -73,7 +73,7 @@ Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type, cons
     runner->trace(measure::traced_queries, lines);
     const measure::LinesTouched& touched = lines.sums().warm;
     if (touched.queries == 0 || touched.reads == 0)
-        return Answer::failure("no read was traced: the layout does not tell its loader");
+        return Answer::failure("no read was traced: the layout does not read through its loader");
     return Answer::success(touched);
 }
 

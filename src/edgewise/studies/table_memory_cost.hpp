@@ -22,7 +22,7 @@ struct AllocatorCost {
     std::string reason;
 };
 
-/// Returns the costs of a table with those of these parts of a body that it can store.
+/// Returns the costs of a table. The table stores the parts of a body in `parts`, if its layout can.
 [[nodiscard]] std::vector<AllocatorCost> allocator_costs(const bench::TableType& type, const Polyhedron& body,
                                                          Parts parts);
 
@@ -32,16 +32,16 @@ struct AllocatorCost {
                                                             const std::string& algorithm,
                                                             const Polyhedron& body);
 
-/// Bytes of a whole table per additional edge, over bodies whose rings take indices of a certain width in
-/// the narrowest form.
+/// Bytes of a whole table per additional edge, for bodies with rings of one index width in the narrowest
+/// form.
 struct WidthSlope {
     int offset_bits, neighbour_bits;
     std::size_t least_vertices, most_vertices;
-    std::optional<double> bytes_per_edge;  ///< nothing where the layout takes no body so large
-    std::string reason;                    ///< then
+    std::optional<double> bytes_per_edge;  ///< nothing if the bodies are too large for the layout
+    std::string reason;                    ///< of a missing value
 };
 
-/// Fitted over spheres of 8 to 100 000 vertices, range by range; takes seconds per table type.
+/// Returns slopes fitted over spheres of 8 to 100 000 vertices, range by range. Takes seconds per table type.
 [[nodiscard]] std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts parts);
 
 }  // namespace edgewise::studies

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The further axes of a cell, beyond scene, shape, algorithm and table type: what a query may give away, how
-// it is solved, and how tables are placed. As text, in plans, on the command line, in the store and in the
-// report alike: "gap_tolerance=1e-06", several joined by '+'. A sweep takes them one at a time around the
-// plain cell, not their product.
+// The further axes of a cell, beyond scene, shape, algorithm and table type: the tolerances of a query, how
+// it is solved, and how tables are placed. Plans, the command line, the store and the report use one text
+// form: "gap_tolerance=1e-06", several joined by '+'. A sweep varies one axis at a time around the plain
+// cell; it does not measure their product.
 #pragma once
 
 #include <string>
@@ -15,17 +15,17 @@
 namespace edgewise::sweep {
 
 struct Axes : bench::RunnerOptions {
-    bool starts_cold = false;  ///< every query as if its pair had not been asked before
+    bool starts_cold = false;  ///< no query uses the last answer of its pair
 
-    /// Canonical: what differs from the plain cell, in a fixed order; empty for the plain cell. needs=nearer
-    /// always names its margin, which is a condition of all its figures.
+    /// Returns the settings that differ from the plain cell, in a fixed order; empty for the plain cell.
+    /// needs=nearer always has its margin in the text, because all its figures depend on the margin.
     [[nodiscard]] std::string text() const;
 
-    /// Whether a cell of this algorithm would differ from the plain one.
+    /// Returns true if a cell of this algorithm differs from the plain cell.
     [[nodiscard]] bool concerns(std::string_view algorithm) const;
 };
 
-/// Throws std::invalid_argument: what, where, what to do; an unknown axis gets the known ones.
+/// Throws std::invalid_argument: what, where, what to do; for an unknown axis the text lists the known axes.
 [[nodiscard]] Axes parse_axes(std::string_view text);
 
 /// Name, range and meaning of each axis, for help and lists.

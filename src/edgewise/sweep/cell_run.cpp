@@ -67,7 +67,7 @@ void CellRun::verify(SharedQueries& shared) {
         return;
     }
     shared_ = &shared;
-    row_.queries = workload.queries.size();  // more than asked for where a scene has to take so many steps
+    row_.queries = workload.queries.size();  // more than the plan's number if the scene needs more steps
     cell_.check(shared);
     row_.reason = cell_.wrong();
     // A peer's errors, and those of V-Clip as published, are figures; they are no failure of this program.

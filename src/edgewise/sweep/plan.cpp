@@ -76,7 +76,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
     return scene;
 }
 
-/// The plan with what the JSON says in place of it. Throws std::exception for what is no plan.
+/// Returns the plan with the members of the JSON replaced. Throws std::exception if the JSON is not a plan.
 Plan read_plan(const nlohmann::json& json, Plan plan) {
     nlohmann::json scenes;
     Members members(json);
@@ -110,8 +110,8 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
     return plan;
 }
 
-/// Mesh files of real objects; the set-up unpacks them beside the build folders: build/meshes for
-/// build/release/edgewise.
+/// Returns the mesh files of real objects. The set-up unpacks them next to the build folders: build/meshes
+/// for build/release/edgewise.
 std::vector<std::string> default_meshes() {
     const auto program = std::filesystem::read_symlink("/proc/self/exe");
     const auto folder = program.parent_path().parent_path() / "meshes";
@@ -120,8 +120,8 @@ std::vector<std::string> default_meshes() {
     return result;
 }
 
-/// What no file of a plan can say, since it depends on the program: its layouts without those that hardly
-/// differ from another, and the bodies that were unpacked beside it.
+/// Returns the members that depend on this program, so that no plan file can have them: its layouts except
+/// those that hardly differ from another, and the mesh files that were unpacked next to it.
 Plan plan_of_this_program() {
     Plan plan;
     plan.meshes = default_meshes();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An algorithm on a table type made ready: its tables built, its answers checked, each of them ready to be
-// timed; and the turns that such cells take, so that all are affected equally by changes in machine speed.
+// A cell (an algorithm on a table type) that is ready to be timed: its tables are built, its answers checked.
+// Also the order in which cells take turns, so that all are affected equally by changes in machine speed.
 #pragma once
 
 #include <functional>
@@ -30,23 +30,23 @@ class SharedQueries {
     SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape);
 
     [[nodiscard]] const scene::Workload& workload() const { return workload_; }
-    /// The same queries, none of which knows its pair's last answer.
+    /// Returns the workload with every query cold: no query knows the last answer of its pair.
     [[nodiscard]] const scene::Workload& cold_workload();
 
     /// Positions of the checked queries, spread evenly over the workload.
     [[nodiscard]] const std::vector<std::size_t>& checked() const { return checked_; }
 
-    /// The checked queries between these bodies, in the order of checked(): their exact distances are known.
+    /// Returns the checked queries between these bodies with exact distances, in the order of checked().
     [[nodiscard]] std::vector<truth::KnownPair>& known(std::span<const Polyhedron> bodies);
 
-    /// What the paper's control says of them, in contact or not (truth/moore_wilhelms.hpp); empty where
-    /// the plan does not ask it, and nothing for most of large bodies, where it takes too long.
+    /// Returns the answer of the paper's control (truth/moore_wilhelms.hpp) for each checked query: true in
+    /// contact. Empty if the plan has no control. Of large bodies only some are asked; the rest is nothing.
     [[nodiscard]] const std::vector<std::optional<bool>>& control(std::span<const Polyhedron> bodies);
 
   private:
     bool asks_control_;
     scene::Workload workload_;
-    std::optional<scene::Workload> cold_workload_;  ///< once it was asked for
+    std::optional<scene::Workload> cold_workload_;  ///< made by the first call of cold_workload()
     std::vector<std::size_t> checked_;
     std::map<std::string, std::vector<truth::KnownPair>> known_;  // by the bodies' fingerprint
     std::map<std::string, std::vector<std::optional<bool>>> control_;
@@ -54,20 +54,20 @@ class SharedQueries {
 
 using MarginOf = std::function<double(const scene::Query&)>;
 
-/// The checked answers of one cell. `stored` are the bodies its tables hold; eps the rounding step that
-/// computes, which alone decides the errors allowed; `options` what the answers were allowed to give away.
-/// With a margin they are verdicts on nearness (bench::near_answer).
+/// Returns the checked answers of one cell. `stored`: the bodies that its tables hold. `eps`: the rounding
+/// step of its arithmetic; it alone decides the allowed errors. `options`: the tolerances of the answers.
+/// With a margin the answers say whether bodies are nearer than the margin (bench::near_answer).
 [[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared,
                                                               std::span<const Polyhedron> stored,
                                                               std::span<const Distance> answers, double eps,
                                                               const QueryOptions& options = {},
                                                               const MarginOf& margin = {});
 
-/// Empty when every checked answer is right; else what is wrong, with the first case as example.
+/// Returns what is wrong, with the first case as an example; empty if every checked answer is right.
 [[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,
                                         std::span<const truth::CheckedAnswer> checked, double eps);
 
-/// `cold`: a flag per query, as cold_starts says; of a scene without warm pairs all count as cold.
+/// `cold`: a flag per query, from cold_starts; empty for a scene without warm pairs: all queries are cold.
 [[nodiscard]] measure::AnswerCounts count_answers(std::span<const Distance> answers,
                                                   std::span<const std::uint8_t> cold = {});
 
@@ -76,30 +76,30 @@ class PreparedCell {
     PreparedCell(const bench::TableType& type, const std::string& algorithm,
                  const bench::RunnerOptions& options = {});
 
-    /// Builds the tables. An error line when a body cannot be stored. The workload must stay.
+    /// Builds the tables. Returns an error line if a body cannot be stored. The workload must outlive this.
     [[nodiscard]] std::string load(const scene::Workload& workload);
 
-    /// Answers every loaded query and checks the sample: `shared` has the same queries.
+    /// Answers every loaded query and checks the sample. `shared` must have the same queries.
     void check(SharedQueries& shared);
 
     [[nodiscard]] const bench::TableType& type() const { return *type_; }
     [[nodiscard]] const bench::Runner& runner() const { return *runner_; }
     [[nodiscard]] const scene::Workload& workload() const { return *workload_; }
 
-    /// What check() found: the sample's answers, what is wrong with them (empty: nothing), and counts of all.
+    /// Results of check(): the checked answers, the error text (empty: all right), and counts of all answers.
     [[nodiscard]] const std::vector<truth::CheckedAnswer>& checked() const { return checked_; }
     [[nodiscard]] const std::string& wrong() const { return wrong_; }
     [[nodiscard]] const measure::AnswerCounts& counts() const { return counts_; }
     [[nodiscard]] double mean_steps() const;
-    /// Sum of the first answers' distances, in order.
+    /// Returns the sum of the distances of the first `queries` answers, added in order.
     [[nodiscard]] double distances(std::size_t queries) const;
 
-    /// One timed pass; contact is booked apart where check() found any.
+    /// Times one pass. Queries in contact are timed separately if check() found any.
     [[nodiscard]] measure::Timing time(double clock_cost_ns) const {
         return runner_->time(in_contact_, clock_cost_ns);
     }
-    /// ns per query: the faster of two passes. The first finds its tables out of the caches, and an interrupt
-    /// seldom hits both.
+    /// Returns ns per query: the faster of two passes. The tables are not in the caches when the first pass
+    /// starts, and an interrupt rarely hits both passes.
     [[nodiscard]] double ns_per_query(double clock_cost_ns) const;
 
   private:
@@ -107,14 +107,14 @@ class PreparedCell {
     bench::RunnerOptions options_;
     std::unique_ptr<bench::Runner> runner_;
     const scene::Workload* workload_ = nullptr;
-    std::vector<std::uint8_t> in_contact_;  ///< of every query; empty where the answers do not say
-    std::vector<double> distances_;         ///< the answers' sums, query by query
+    std::vector<std::uint8_t> in_contact_;  ///< a flag per query; empty if answers do not say it
+    std::vector<double> distances_;         ///< running sums of the answers' distances, query by query
     std::vector<truth::CheckedAnswer> checked_;
     std::string wrong_;
     measure::AnswerCounts counts_;
 };
 
-/// Calls `take(i)` once for each i below `count`, in an order drawn from the seed: that of a round.
+/// Calls `take(i)` once for each i below `count`, in an order drawn from the seed: the order of a round.
 void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(std::size_t)>& take);
 
 }  // namespace edgewise::sweep

@@ -24,10 +24,10 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// What every ratio is against: the paper's algorithm on the paper's layout.
+/// The baseline of every ratio: the paper's algorithm on the paper's layout.
 const std::string baseline_algorithm = "vclip", baseline_table = "aos_f64";
 
-/// Small enough to be read, and every kind of feature is there.
+/// The shape of the drawings: small enough to read, with every kind of feature.
 constexpr const char* drawn_shape = "cube8";
 
 /// The baseline need not be among the chosen cells; a program without its layout compares with the first it
@@ -174,7 +174,7 @@ class Sweep {
         listener_.on_done(cells.size(), scene.choice.name + " " + shape.name);
     }
 
-    /// Notes that one of `parts` equal parts of the step is done.
+    /// Notes that one part of the step is done; the step has `parts` equal parts.
     void advance(const GroupWork& expected, Step step, std::size_t parts, const std::string& what) {
         left_.done(expected.kind(step), expected.of(step) / static_cast<double>(parts),
                    lap_.elapsed_ns() * 1e-9);
@@ -196,7 +196,7 @@ class Sweep {
         return cells;
     }
 
-    /// Everything of all of them is there; counts them.
+    /// Returns true if the store has every result of all cells, and then counts the cells.
     [[nodiscard]] bool all_stored(const std::vector<CellRun>& cells) {
         std::vector<store::CellStatus> states;
         for (const CellRun& cell : cells) {
@@ -208,7 +208,7 @@ class Sweep {
         return true;
     }
 
-    /// Every cell's answers checked, then what may be measured of cells side by side.
+    /// Checks the answers of every cell, then runs the probes that may measure several cells at a time.
     void verify_and_trace(std::vector<CellRun>& cells, SharedQueries& shared, const GroupWork& expected,
                           const std::string& what) {
         for (CellRun& cell : cells) {
@@ -216,7 +216,7 @@ class Sweep {
             cell.verify(shared);
             advance(expected, Step::verify, cells.size(), what);
         }
-        // On all processors: nothing is timed meanwhile, and traces do not depend on what runs beside them.
+        // On all processors: nothing is timed here, and a trace does not depend on what else is running.
         std::mutex telling;
         bench::for_each_index(cells.size(), [&](std::size_t i) {
             if (stop_) return;

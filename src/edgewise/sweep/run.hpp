@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a plan's work into a store: every cell verified, then measured in interleaved rounds. Rounds already
-// stored for this build are kept; missing ones are run with the baseline timed again beside them.
+// Runs a plan's work into a store: verifies every cell, then measures the cells in interleaved rounds. Rounds
+// already stored for this build are kept; in a missing round the baseline is timed again with the cells.
 #pragma once
 
 #include <atomic>
@@ -16,20 +16,20 @@ namespace edgewise::sweep {
 
 struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
-    std::size_t judged = 0;  ///< of other libraries, and of raw V-Clip
-    bool stopped = false;    ///< before the end; what is stored stays
+    std::size_t judged = 0;  ///< cells of other libraries, and of raw V-Clip
+    bool stopped = false;    ///< ended early; stored results are kept
 };
 
-/// What a sweep tells while it runs.
+/// Functions that a sweep calls while it runs.
 struct SweepListener {
-    /// More work is done; cells as their group ends.
+    /// Called when more work is done; `cells` is 0 until their group ends.
     std::function<void(std::size_t cells, const std::string& what)> on_done;
-    /// Cells that an earlier run measured.
+    /// Called for cells that an earlier run measured.
     std::function<void(std::size_t cells)> on_resumed;
     std::function<void(const std::string& line)> on_warning;
 };
 
-/// `left` learns what there is to do and how long it takes. `stop` is looked at between rounds.
+/// `left` receives the expected work and the time that each part took. `stop` is read between rounds.
 [[nodiscard]] SweepSummary run_sweep(const SweepWork& work, store::Store& store, TimeLeft& left,
                                      const SweepListener& listener, const std::atomic<bool>& stop);
 

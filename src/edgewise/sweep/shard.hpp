@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A campaign in parts: its comparisons (the cells of one scene and shape, which are timed in turns and so
-// stay together) and its other runs are dealt to so many shards. Every process deals alike, from the plan
-// alone, so none talks to another.
+// Shards of a sweep: its comparisons and its other runs are divided among a number of shards. A comparison is
+// the cells of one scene and shape; they are timed in turns, so they stay in one shard. Every process
+// computes the same division from the plan alone, so processes need no communication.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Shard {
     std::size_t index = 0, count = 1;
 
     [[nodiscard]] bool is_whole() const { return count == 1; }
-    /// Of so many pieces in a row, its are first_of(pieces) .. last_of(pieces) - 1; each is some shard's.
+    /// This shard has pieces first_of(pieces) .. last_of(pieces) - 1 of a row; each piece is in one shard.
     [[nodiscard]] std::size_t first_of(std::size_t pieces) const { return start_of(pieces, index); }
     [[nodiscard]] std::size_t last_of(std::size_t pieces) const { return start_of(pieces, index + 1); }
     [[nodiscard]] bool operator==(const Shard&) const = default;
@@ -35,28 +35,28 @@ struct Shard {
     }
 };
 
-/// Of the environment: null where there is no such variable.
+/// Returns the value of an environment variable; null if it is not set.
 using Environment = std::function<const char*(const char* name)>;
 
-/// "3/8"; or "auto/8", whose index is what the scheduler says in the environment, and "auto", where that says
-/// the count too. Known: SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX, OMPI_COMM_WORLD_RANK and PBS_ARRAY_INDEX,
-/// which count from 0, SGE_TASK_ID and PARALLEL_SEQ, which count from 1.
+/// Parses "3/8"; "auto/8", with the index from the scheduler's environment variable; or "auto", with the
+/// count from the environment, too. Variables that count from 0: SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX,
+/// OMPI_COMM_WORLD_RANK and PBS_ARRAY_INDEX; from 1: SGE_TASK_ID and PARALLEL_SEQ.
 [[nodiscard]] Result<Shard> parse_shard(const std::string& text, const Environment& environment);
 
-/// What is dealt as one.
+/// A unit of work that one shard gets as a whole.
 struct ShardUnit {
-    std::string name;  ///< the same in every process, and of no other unit
+    std::string name;  ///< unique, and the same in every process
     double cost = 0;   ///< predicted, in any unit
 };
 
-/// Costs in seconds where an earlier run tells them (by name), else in proportion.
+/// Replaces costs by seconds of an earlier run (by name). Other costs are scaled to seconds in proportion.
 void weigh(std::span<ShardUnit> units, const std::map<std::string, double>& seconds);
 
-/// Places of the units that the shard has, in order. The dearest are dealt first, each to the shard that has
-/// least so far; among equals a hash of the names decides.
+/// Returns the positions of the shard's units, in ascending order. Units are assigned in order of falling
+/// cost, each to the shard with the least cost so far; among equal costs a hash of the names decides.
 [[nodiscard]] std::vector<std::size_t> dealt_to(const Shard& shard, std::span<const ShardUnit> units);
 
-/// Weighs the units and returns the names of those that the shard has.
+/// Weighs the units and returns the names of the shard's units.
 [[nodiscard]] std::set<std::string> names_dealt_to(const Shard& shard, std::vector<ShardUnit> units,
                                                    const std::map<std::string, double>& seconds);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a store already has of a sweep, of one build: a sweep that was stopped goes on from there.
+// The results of a sweep that a store already has from one build: a stopped sweep continues from them.
 #pragma once
 
 #include <map>
@@ -17,10 +17,10 @@
 
 namespace edgewise::sweep {
 
-/// Seconds that a group or another run took when it last ran, of any build; nothing where none are stored.
+/// Returns the seconds that a group or another run last took, in any build; nothing if none are stored.
 [[nodiscard]] std::optional<double> took_in(const store::Store& store, const std::string& what);
 
-/// Seconds of everything that ran into the store at this path, by name.
+/// Returns the seconds of everything that ran into the store at this path, by name.
 [[nodiscard]] std::map<std::string, double> seconds_in(const std::string& store);
 
 class StoredCells {
@@ -28,11 +28,11 @@ class StoredCells {
     StoredCells(store::Store& store, std::string build, const Plan& plan)
         : store_(store), build_(std::move(build)), rounds_(plan.rounds), checked_(plan.checked) {}
 
-    /// The status of a cell of which everything is there: figures, rounds, as many checked answers and caches
-    /// as ordered now.
+    /// Returns the status of a cell if the store has all its results: figures, rounds, and the checked
+    /// answers and modelled caches that this plan orders. Otherwise nothing.
     [[nodiscard]] std::optional<store::CellStatus> status_of(const CellRun& cell) const;
 
-    /// Numbers of the rounds that the cell has not been timed in.
+    /// Returns the numbers of the rounds that do not have the cell's time.
     [[nodiscard]] std::set<int> rounds_missing(const CellRun& cell) const;
     [[nodiscard]] std::vector<measure::Round> rounds_of(const CellRun& cell) const {
         return store_.rounds(build_, cell.row().hash);
@@ -46,12 +46,12 @@ class StoredCells {
     void put(std::span<const std::pair<std::string, measure::Round>> round) {
         store_.put_round(build_, round);
     }
-    /// Its heat on the body, and the body; of a cell that has none nothing.
+    /// Stores the cell's heat on the body, and the body. Stores nothing if the cell has no heat.
     void put_heat(const CellRun& cell, const Polyhedron& body);
     void put_seconds(const std::string& of, double seconds);
 
   private:
-    /// An earlier run may have checked fewer answers: the cell is not verified as it is asked to be now.
+    /// Returns true if an earlier run checked fewer answers of the cell than this plan orders.
     [[nodiscard]] bool lacks_checks(const store::CellRow& row,
                                     std::span<const store::FigureRow> stored) const;
 

@@ -60,8 +60,8 @@ struct Study {
 /// Returns every study of this program, in the order of the manifest studies/CMakeLists.txt.
 [[nodiscard]] std::span<const Study> registered_studies();
 
-/// Name of a unit that one shard runs: "paging", or "stability parallel_faces" for one of several parts. A
-/// store keeps the seconds of a unit under this name (store::took_key).
+/// Returns the name of a unit that one shard runs: "paging", or "stability parallel_faces" for a part of a
+/// study. A store keeps the seconds of a unit under this name (store::took_key).
 [[nodiscard]] std::string unit_name(std::string_view study, const std::string& part = {});
 
 /// Returns true if the plan asks for the study and this program can run it.

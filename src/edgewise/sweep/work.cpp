@@ -30,7 +30,7 @@ void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::Name
         file,
         {plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull, plan.as_stored});
     if (shapes) {
-        // Of the plan's own bodies the report says it; of a user's, who may not know, so does this line.
+        // The report gives the warnings of the plan's own bodies. Those of a user's bodies are also printed.
         if (!shapes.warning.empty() && plan.meshes_required) warn(shapes.warning);
         std::ranges::move(*shapes, std::back_inserter(to));
         return;
@@ -89,7 +89,7 @@ std::vector<Axes> axes_of(const SceneChoice& choice, const Plan& plan) {
     return all;
 }
 
-/// What a scene is for, whatever its shapes and parameters are.
+/// Returns the work of a scene without its shapes and parameters.
 SceneWork unplaced_work(const SceneChoice& choice, const SweepWork& work) {
     SceneWork scene;
     scene.choice = choice;
@@ -102,7 +102,7 @@ SceneWork unplaced_work(const SceneChoice& choice, const SweepWork& work) {
     return scene;
 }
 
-/// What the scene is for, of what the plan has.
+/// Returns the work of a scene, with the plan's shapes and table types that the scene names.
 SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     SceneWork scene = unplaced_work(choice, work);
     scene.choice.parameters = scene::complete_parameters(choice.name, choice.parameters).or_throw();
@@ -118,7 +118,7 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     return scene;
 }
 
-/// Kept where it stays; of a name that is known and of the same source, that one.
+/// Keeps the shape at a stable address. A shape with the same name and source is kept only once.
 const scene::NamedShape* kept_shape(const scene::NamedShape& shape, SweepWork& work) {
     for (const scene::NamedShape& known : work.file_shapes) {
         if (known.name == shape.name && known.source == shape.source) return &known;
@@ -126,7 +126,7 @@ const scene::NamedShape* kept_shape(const scene::NamedShape& shape, SweepWork& w
     return &work.file_shapes.emplace_back(shape);
 }
 
-/// One scene for each point of the file.
+/// Adds one scene for each point of the file.
 void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, SweepWork& work) {
     check_names(choice, {});
     SceneWork scene = unplaced_work(choice, work);
@@ -150,7 +150,7 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     }
 }
 
-/// Whether it is a scene file, whose points are added then.
+/// Adds the points of the scene file if the choice is one. Returns true if it is.
 bool add_if_file(const SceneChoice& choice, SweepWork& work,
                  const std::function<void(const std::string&)>& warn) {
     if (!scene::is_scene_file(choice.name)) return false;

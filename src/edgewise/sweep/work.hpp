@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a plan comes to in this program: its names looked up, its bodies made. All that can be wrong with a
-// plan is wrong here, before a store is opened.
+// The work of a plan in this program: its names are looked up and its bodies are made. Every error of a plan
+// is found here, before a store is opened.
 #pragma once
 
 #include <deque>
@@ -19,17 +19,17 @@
 
 namespace edgewise::sweep {
 
-/// A scene of the plan, with what of the plan it is for; of a scene file one of its points.
+/// A scene of the plan, or one point of a scene file, with the shapes, types and algorithms that it uses.
 struct SceneWork {
     SceneChoice choice;            ///< with every parameter
-    std::string kind, json, path;  ///< of a scene file: its kind of scene, its JSON, and where it lies
+    std::string kind, json, path;  ///< of a scene file: its kind of scene, its JSON and its path
     std::size_t queries = 0;
     std::vector<const scene::NamedShape*> shapes;
     std::vector<const bench::TableType*> types;
     std::vector<std::string> algorithms;
     std::vector<Axes> axes;  ///< the plain cell first
 
-    /// Whether the caches of this shape's cells are modelled.
+    /// Returns true if the caches of this shape's cells are modelled.
     [[nodiscard]] bool models_caches(const scene::NamedShape& shape) const;
 };
 
@@ -37,23 +37,23 @@ struct SweepWork {
     Plan plan;
     std::vector<const bench::TableType*> types, peers;
     std::vector<std::string> algorithms;
-    std::vector<measure::MachineChoice> machines;  ///< to model the caches of
+    std::vector<measure::MachineChoice> machines;  ///< machines with modelled caches
     std::vector<scene::NamedShape> shapes;
     std::deque<scene::NamedShape> file_shapes;  ///< of scene files
     std::vector<SceneWork> scenes;
     std::set<std::string> parts_elsewhere;  ///< units of studies that other shards run
 
     SweepWork() = default;
-    SweepWork(SweepWork&&) = default;  ///< and no copy: scenes point at shapes, which stay where they are
+    SweepWork(SweepWork&&) = default;  ///< not copyable: scenes point at the shapes
 
-    /// The cells of a scene and any of its shapes, each once; peers, in every scene, have plain cells alone.
+    /// Calls `use` once for each cell of a scene on one shape. Peers have plain cells only, in every scene.
     void each_cell(const SceneWork& scene,
                    const std::function<void(const bench::TableType&, const std::string& algorithm,
                                             const Axes&)>& use) const;
     [[nodiscard]] std::size_t cells() const;
 };
 
-/// A scene on a shape, whose cells are compared with each other: the same in every plan and process.
+/// Returns the name of a comparison: all cells of a scene on a shape. Every plan and process uses this name.
 [[nodiscard]] std::string comparison_name(const SceneWork& scene, const scene::NamedShape& shape);
 
 /// The bodies of a plan: built-in shapes and hulls of mesh files. A mesh file that cannot be read becomes a
@@ -66,22 +66,22 @@ struct SweepWork {
 [[nodiscard]] SweepWork prepare_sweep(const Plan& plan,
                                       const std::function<void(const std::string& line)>& warn);
 
-// The names of a plan's scene files. A scene's name is its file's, and its charts, its table of results and
-// its rows in the store go by it: two scenes of one name would be shown as one, and one named like a scene
-// that comes along would stand in its place.
+// The names of a plan's scene files. A scene is named after its file, and so are its charts, its table of
+// results and its rows in the store. Two scenes of one name would be shown as one scene, and a scene with the
+// name of a built-in scene would replace it.
 
-/// Throws std::invalid_argument that names both when two scenes of the plan would go by one name, or a file's
-/// name is that of a kind of scene or of a scene file that comes along.
+/// Throws std::invalid_argument with both names if two scenes of the plan have one name, or if a file has the
+/// name of a kind of scene or of a built-in scene file.
 void check_scene_names(const Plan& plan);
 
-/// What files and charts of a scene are called: letters, digits, _ and -.
+/// Returns the name of a scene's files and charts: letters, digits, _ and -.
 [[nodiscard]] std::string scene_id(std::string name);
 
-/// Empty, or whose name it is that a user's scene file may not have.
+/// Returns what has this name, if a user's scene file may not use it; otherwise empty.
 [[nodiscard]] std::string owner_of_scene_name(const std::string& name);
 
-/// Throws std::invalid_argument that names both files when the store holds another scene of the name of one
-/// of the work's scene files.
+/// Throws std::invalid_argument with both file names if the store has another scene with the name of one of
+/// the work's scene files.
 void check_scene_files(const SweepWork& work, const store::Store& store);
 
 }  // namespace edgewise::sweep

@@ -23,12 +23,12 @@ enum class Backing { memory, file, shared_memory };
 
 class TableMapping {
   public:
-    /// Where it starts: the size of a large page. Large pages are declined all the same, so that what is
-    /// resident is what was written.
+    /// Alignment of the mapping's start: the size of a large page. The mapping does not use large pages, so
+    /// that only written pages are resident.
     static constexpr std::size_t alignment = std::size_t{2} << 20;
 
-    /// Takes no memory yet, only addresses. Throws std::runtime_error if there are no free addresses, or if
-    /// no folder takes a file that is not kept in memory itself.
+    /// Reserves addresses, without memory. Throws std::runtime_error if there are no free addresses, or if
+    /// every folder for the file is in memory itself.
     explicit TableMapping(Backing backing);
     ~TableMapping();
     TableMapping(const TableMapping&) = delete;

@@ -166,7 +166,7 @@ class ScaleStudy {
     double extent_ = 0;
 };
 
-/// Empty for an algorithm that asks for more than support points, and for layouts that do not say so.
+/// Returns the times at scales. Empty if the algorithm reads more than support points, or for other layouts.
 template <class Algorithm, class Table>
 [[nodiscard]] ScaleTimes time_scales(const Polyhedron& body, int repetitions) {
     if constexpr (std::is_same_v<Algorithm, Gjk> && measured_at_scales<Table>) {

@@ -18,9 +18,9 @@ class FrameTrace {
     FrameTrace(const scene::Workload& workload, const TracePlaces& places, measure::TraceListener& listener)
         : workload_(workload), places_(places), listener_(listener) {}
 
-    /// Before each query, in order.
+    /// Call before each query, in order.
     void before(std::size_t query);
-    /// After the last frame.
+    /// Call after the last frame.
     void end() const {
         if (next_ > 0) listener_.on_frame_end();
     }

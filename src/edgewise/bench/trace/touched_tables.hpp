@@ -23,18 +23,18 @@ namespace edgewise::bench {
 [[nodiscard]] measure::TouchedTables touched_tables(std::span<const TableMap> maps,
                                                     const measure::TouchedBytes& touched);
 
-/// Features of a kind that one table's scene touched in any byte, by order in the layout. Arrays of one
-/// element per feature show it, one or several of them (x, y and z). Nothing if the table has no bytes for
-/// the kind alone, or packs several features into one element.
+/// Returns the features of a kind with at least one touched byte, in the order of the layout. The arrays with
+/// one element per feature (e.g. x, y and z) show which bytes are touched. Nothing if the table has no bytes
+/// for the kind alone, or packs several features into one element.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
-/// Kind of feature that an element's bytes of this component belong to; nothing if there is no single one.
+/// Returns the kind of feature that the elements of this component belong to; nothing if it is not one kind.
 [[nodiscard]] std::optional<FeatureKind> kind_of(Component component);
 [[nodiscard]] std::size_t features_of(const TableMap& map, FeatureKind kind);
-/// The pieces that identify a table's features of a kind: element i of a piece belongs to feature i mod n.
-/// Empty where no piece does.
+/// Returns the pieces that identify a table's features of a kind: element i of a piece belongs to feature
+/// i mod n. Empty if the table has no such piece.
 [[nodiscard]] std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind);
 
 /// Counts the reads of each vertex, edge and face.

@@ -24,7 +24,7 @@
 
 namespace edgewise::measure {
 
-/// Where a level's numbers are from.
+/// The source of a level's numbers.
 struct LevelOrigin {
     double latency_cycles = 0;  ///< to an answer from here; 0 for TLBs
     std::string source;
@@ -42,8 +42,8 @@ struct CacheMachine {
     CacheGeometry tlbs;  ///< lines are pages; without levels if nothing is known
     std::vector<LevelOrigin> tlb_origins;
 
-    /// Modelled time of what was counted beyond the first level: every access waits for the level that
-    /// answers it, nothing overlaps. Counts of `caches`, level by level.
+    /// Returns the modelled time of accesses beyond the first level: every access waits for the level that
+    /// answers it, and no accesses overlap. `counts`: one for each level of `caches`.
     [[nodiscard]] double memory_ns(std::span<const LevelCounts> counts) const;
     /// Returns true if the clock is known, and every level and memory have a latency.
     [[nodiscard]] bool latencies_known() const;
@@ -54,10 +54,10 @@ struct CacheMachine {
 /// Throws std::runtime_error with one line: file, field, what is wanted.
 [[nodiscard]] CacheMachine parse_cache_machine(const std::string& json, const std::string& name);
 
-/// The machine as such a file, on one line.
+/// Returns the machine as the JSON that parse_cache_machine reads, on one line.
 [[nodiscard]] std::string cache_machine_json(const CacheMachine& machine);
 
-/// Those that come with Edgewise, oldest first.
+/// Returns the machines that come with Edgewise, oldest first.
 [[nodiscard]] const std::vector<CacheMachine>& cache_machines();
 
 }  // namespace edgewise::measure

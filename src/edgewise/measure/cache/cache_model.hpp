@@ -52,14 +52,14 @@ struct CachedLine {
 
 class CacheLevel {
   public:
-    /// Where a line is, until the next line comes or goes.
+    /// Position of a line. Valid until a line is inserted or taken out.
     using Place = std::size_t;
     static constexpr Place nowhere = ~Place{0};
 
-    /// sets > 0, ways > 0; of tree_plru most_tree_ways at most.
+    /// `sets` and `ways` must be above 0; with tree_plru `ways` is at most most_tree_ways.
     CacheLevel(std::uint32_t sets, std::uint32_t ways, Replacement replacement);
 
-    /// The line, without a use.
+    /// Returns the position of the line, without using it; `nowhere` if it is not in the level.
     [[nodiscard]] Place find(std::uint64_t line) const {
         const std::uint64_t set = set_of(line);
         const std::uint64_t* const ways = lines_.data() + set * ways_;
@@ -69,7 +69,7 @@ class CacheLevel {
         for (std::uint32_t way = 0; way < ways_; ++way) at = ways[way] == line ? way : at;
         return at == ways_ ? nowhere : set * ways_ + at;
     }
-    /// It was used now.
+    /// Notes that the line at `place` is used now.
     void use(std::uint64_t line, Place place) {
         const std::uint64_t set = set_of(line);
         last_[set] = static_cast<std::uint32_t>(place - set * ways_);
@@ -81,13 +81,13 @@ class CacheLevel {
         dirty_[place] |= static_cast<std::uint8_t>(dirty);
     }
 
-    /// Puts a line that is not there and uses it; gives what had to go.
+    /// Inserts a line that is not in the level, and uses it. Returns the evicted line, if there was one.
     std::optional<CachedLine> insert(const CachedLine& entry);
 
-    /// Takes the line out, if it is there.
+    /// Takes the line out of the level and returns it; nothing if it is not in the level.
     std::optional<CachedLine> take(std::uint64_t line);
 
-    /// Every line that is there, in no order that means anything.
+    /// Calls `use` for every line in the level, in unspecified order.
     template <class Use>
     void for_each(Use use) const {
         for (Place place = 0; place < lines_.size(); ++place) {

@@ -36,17 +36,17 @@ class HeatMap final : public TraceListener {
     void on_query_end(bool counts) override;
 
     [[nodiscard]] const ByStart<std::uint64_t>& queries() const { return queries_; }
-    /// Summed over queries: distinct lines of tables that each accesses.
+    /// Returns the number of distinct lines of tables that a query accesses, summed over queries.
     [[nodiscard]] const ByStart<std::uint64_t>& lines_of_queries() const { return lines_of_queries_; }
     [[nodiscard]] const ByStart<std::vector<std::uint64_t>>& accesses_by_field() const { return by_field_; }
     [[nodiscard]] const std::vector<std::uint64_t>& accesses_by_step() const { return by_step_; }
-    /// From address 0 on.
+    /// Returns the accesses of each line, from address 0 on.
     [[nodiscard]] const std::vector<std::uint32_t>& accesses_by_line() const { return by_line_; }
     [[nodiscard]] const TouchedBytes& touched() const { return touched_; }
 
-    /// The smallest number of lines that take this part of all accesses to lines: how hot the hottest are.
+    /// Returns the smallest number of lines that take this part of all accesses to lines.
     [[nodiscard]] std::uint64_t lines_taking(double part) const;
-    /// Lines that were accessed at all.
+    /// Returns the number of lines that were accessed at least once.
     [[nodiscard]] std::uint64_t lines() const;
 
   private:

@@ -43,12 +43,12 @@ void add_level(int level, std::uint64_t bytes, CacheMachine& machine) {
 constexpr const char* source =
     "/sys/devices/system/cpu/cpu0/cache (in a virtual machine: what the host lets it see)";
 
-/// Empty, or what is wrong with the kernel's word for a model.
+/// Adds a level to the machine. Returns why a model cannot use the kernel's numbers; empty if it can.
 std::string add_level(const Cache& cache, CacheMachine& machine) {
     const auto known = [](const Expected<std::int64_t>& fact) { return fact.value && *fact.value > 0; };
     if (!known(cache.level) || !known(cache.bytes) || !known(cache.ways) || !known(cache.line_bytes))
-        return "sysfs does not tell level, size, ways and line of every cache; write what you know of it, as "
-               "in --machines l1=32K,l2=256K";
+        return "sysfs does not give level, size, ways and line of every cache; write the sizes that you "
+               "know, as in --machines l1=32K,l2=256K";
     const std::int64_t line = *cache.line_bytes.value, ways = *cache.ways.value;
     if (*cache.bytes.value % (line * ways) != 0) return "a cache's size is no multiple of its ways' size";
     if (machine.caches.levels.empty()) machine.caches.line_bytes = static_cast<std::uint32_t>(line);
@@ -144,7 +144,7 @@ CacheMachine machine_of_sizes(const std::string& text) {
                 text, level, line_bytes, least_first_level));
         if (level_of(level) <= last)
             throw std::invalid_argument(
-                fmt::format("machine '{}': levels stand in their order, as in l2=256K,l3=8M", text));
+                fmt::format("machine '{}': write levels in ascending order, as in l2=256K,l3=8M", text));
         if (last == 0 && level_of(level) > 1) add_level(1, std::min(usual_first_level, *bytes), machine);
         last = level_of(level);
         add_level(last, *bytes, machine);
@@ -158,13 +158,13 @@ Expected<CacheMachine> host_machine(const std::filesystem::path& root) {
     if (!caches.value) return caches.refusal();
     CacheMachine machine;
     machine.name = "host";
-    machine.what = "this machine, as the kernel tells it";
+    machine.what = "this machine, as the kernel reports it";
     machine.memory.source = source;
     for (const Cache& cache : *caches.value) {
         if (cache.type.value.value_or("") == "Instruction") continue;
         if (const std::string problem = add_level(cache, machine); !problem.empty()) return Refusal{problem};
     }
-    if (machine.caches.levels.empty()) return Refusal{"sysfs tells of no data cache"};
+    if (machine.caches.levels.empty()) return Refusal{"sysfs lists no data cache"};
     return {machine};
 }
 

@@ -22,7 +22,7 @@ namespace edgewise::measure {
 // unverified: lines of 64 bytes; 8 ways, 16 from the third level on; a first level of 32 KiB where none is
 // named; LRU, non-inclusive. Latencies are not known, so no time is computed of its misses.
 
-/// "256K", "8M", "1G" (binary), or bytes; nothing for anything else, and for nothing.
+/// Returns the bytes of "256K", "8M", "1G" (binary) or a plain number; nothing for any other text.
 [[nodiscard]] std::optional<std::uint64_t> bytes_of_size(std::string_view text);
 
 /// Returns true if a name is a level with its size: "l2=256K".
@@ -32,7 +32,7 @@ namespace edgewise::measure {
 /// lie deeper than the one before begins another machine. Other names stay unchanged.
 [[nodiscard]] std::vector<std::string> joined_level_sizes(std::span<const std::string> names);
 
-/// Called "l2_256K_l3_8M". Throws std::invalid_argument: what, what to do.
+/// Returns a machine with a name like "l2_256K_l3_8M". Throws std::invalid_argument: what, what to do.
 [[nodiscard]] CacheMachine machine_of_sizes(const std::string& text);
 
 struct MachineChoice {

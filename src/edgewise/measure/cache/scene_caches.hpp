@@ -33,7 +33,7 @@ struct MissKinds {
     [[nodiscard]] std::uint64_t all() const { return compulsory + capacity + conflict; }
 };
 
-/// One level of one machine in one pass.
+/// Misses of one level of one machine in one pass.
 struct LevelMisses {
     std::string level;
     std::uint64_t accesses = 0;
@@ -42,25 +42,25 @@ struct LevelMisses {
     std::vector<std::uint64_t> by_field, by_step;
 };
 
-/// One machine in one pass.
+/// Misses of one machine in one pass.
 struct MachineMisses {
     std::vector<LevelMisses> caches, tlbs;
-    /// Into the first level, and what is there from the pass before. Of all queries alone: what one brings
-    /// in another may use.
+    /// Bytes fetched into the first level, and bytes left there by the pass before. Known for all queries
+    /// together only, because a query may use bytes that another query fetched.
     CacheModel::Fetched fetched;
     std::optional<double> memory_ns;  ///< modelled; nothing where latencies are not known
     bool proved = false;              ///< every latency in it is proved by its source
 };
 
-/// Lines of 64 bytes, or pages of 4 KiB.
+/// Reuse of lines of 64 bytes, or of pages of 4 KiB.
 struct ReuseOf {
     std::uint64_t unit_bytes = 0;
     std::uint64_t distinct = 0;   ///< ever touched
-    std::uint64_t of_tables = 0;  ///< of them, those that tables are in
-    /// Summed over the second pass's queries: distinct ones of tables of each.
+    std::uint64_t of_tables = 0;  ///< distinct units with bytes of tables
+    /// Distinct units of tables that a query touches, summed over the queries of the second pass.
     ByStart<std::uint64_t> touched;
     ByStart<std::uint64_t> with_scene;  ///< the same with the scene's own memory
-    std::uint64_t in_frames = 0;        ///< summed over its frames: distinct ones of each
+    std::uint64_t in_frames = 0;        ///< distinct units of a frame, summed over the frames
     ByStart<MissCurve> steady;          ///< of the second pass
 };
 
@@ -76,14 +76,14 @@ class SceneCaches final : public TraceListener {
     void on_query_end(bool counts) override;
     void on_frame_end() override;
 
-    /// From here on the second pass counts.
+    /// Starts the second pass; later accesses count for it.
     void start_steady();
 
     /// Queries of a pass.
     [[nodiscard]] const ByStart<std::uint64_t>& queries() const { return queries_; }
     /// Frames of a pass; 0 where the scene is not asked frame after frame.
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
-    /// In the order of the machines; of the first pass, and of the second.
+    /// Return the misses of the first and of the second pass, in the order of the machines.
     [[nodiscard]] const std::vector<MachineMisses>& first() const { return first_; }
     [[nodiscard]] std::vector<ByStart<MachineMisses>> steady() const;
 

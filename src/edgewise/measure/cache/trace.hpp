@@ -42,19 +42,19 @@ class TraceListener {
     TraceListener& operator=(const TraceListener&) = delete;
     virtual ~TraceListener() = default;
 
-    /// Before each query, and what is accessed for it.
+    /// Called before each query and its accesses.
     virtual void on_query_start(QueryStart /*start*/) {}
-    /// Before each step of a query's algorithm: accesses from here on are the step's. Steps have the numbers
-    /// that accesses have.
+    /// Called before each step of a query's algorithm; later accesses belong to the step. `step` has the
+    /// numbers of TracedAccess.
     virtual void on_step_start(std::uint8_t /*step*/) {}
     virtual void on_access(const TracedAccess& access) = 0;
-    /// After each query; `counts` is false for the cold first query of a pair in a warm scene.
+    /// Called after each query; `counts` is false for the cold first query of a pair in a warm scene.
     virtual void on_query_end(bool counts) = 0;
-    /// After the last query of a frame; never called in scenes that are not asked frame after frame.
+    /// Called after the last query of a frame; never called in scenes without frames.
     virtual void on_frame_end() {}
 };
 
-/// Several listeners to one trace.
+/// Passes one trace to several listeners.
 class TraceFanOut final : public TraceListener {
   public:
     TraceFanOut(std::initializer_list<TraceListener*> listeners) : listeners_(listeners) {}

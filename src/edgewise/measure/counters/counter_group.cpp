@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t head_words = 3;
 constexpr const char* free_counters =
     "end other users of the counters, also the NMI watchdog (sysctl kernel.nmi_watchdog=0); on a hybrid "
-    "processor pin the thread to a core whose counters the events are for (taskset)";
+    "processor pin the thread to a core that counts these events (taskset)";
 
 /// The descriptor, or -errno. `leader`: of the group to join; -1 for the first, which is pinned and starts
 /// disabled.
@@ -182,8 +182,8 @@ Expected<CounterFigure> count_per_query(std::span<const CounterSample> samples, 
     const double least = static_cast<double>(least_to_floor * cost.floor);
     if (batch < least)
         return Refusal{
-            fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} per query: too few to tell "
-                        "from what counting itself may cause ({})",
+            fmt::format("fewer than {} in a batch of {} queries, so below {:.3g} per query: too few to "
+                        "distinguish from events that counting itself may cause ({})",
                         least, queries, least / static_cast<double>(queries), cost.floor),
             "count a batch of more queries"};
     return {CounterFigure{batch / static_cast<double>(queries), sorted.good.size(),

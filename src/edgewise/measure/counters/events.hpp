@@ -79,7 +79,7 @@ inline constexpr std::array<MetricName, 12> metrics{{
 /// An event for a metric: the processor's own, or a generic one of the kernel.
 struct ChosenEvent {
     std::string event;                 ///< the metric's name, or what perf calls a software event
-    std::string by;                    ///< whose event it is: libpfm, generic, software; or none
+    std::string by;                    ///< source of the event: libpfm, generic, software; or none
     std::string encoding = "none";     ///< what is asked of the kernel, e.g. "PERF_TYPE_RAW:0x8d1:u"
     std::optional<std::string> level;  ///< what it counts: see MetricName, or "kernel"
     std::string meaning;               ///< what it counts, in words

@@ -204,7 +204,7 @@ Cpu parse_cpu(std::string_view cpuinfo) {
     }
     const bool x86 = keys.find("flags") != keys.end();
     cpu.hypervisor = x86 ? Expected<bool>{flags.count("hypervisor") != 0}
-                         : Expected<bool>::none("only x86 processors tell a guest that it is one");
+                         : Expected<bool>::none("only x86 processors report a hypervisor");
     return cpu;
 }
 

@@ -25,7 +25,7 @@ namespace edgewise::measure {
 
 namespace {
 
-/// "the event Ir" for the first of these events that the output does not have; empty if it has all.
+/// Returns e.g. "the event Ir" for the first needed event that the output lacks; empty if it has all.
 std::string lacking(const std::vector<std::string>& events, std::initializer_list<const char*> needed) {
     for (const char* event : needed)
         if (std::ranges::find(events, event) == events.end()) return std::string("the event ") + event;

@@ -59,7 +59,7 @@ struct RecordComparison {
     [[nodiscard]] int exit_code() const { return passed() ? 0 : 1; }
 };
 
-/// Compares two records, with the old record's slack. A cell that one record lacks is one row.
+/// Compares two records, with the slack of the old record. A cell that is in one record only gets one row.
 [[nodiscard]] RecordComparison compare(const FigureRecord& was, const FigureRecord& is);
 
 /// A line for each row that differs, worst first, then conditions, and at the end what was found. `old_name`:

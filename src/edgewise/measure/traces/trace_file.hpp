@@ -90,15 +90,15 @@ class TraceCaches {
 
     /// Number of distinct lines of 64 bytes.
     [[nodiscard]] std::uint64_t distinct_lines() const { return reuse_.lines(); }
-    /// The smallest fully associative cache, in bytes, with at most a tenth as many repeated fetches of lines
-    /// as the trace has distinct lines; 0: no line is ever needed again.
+    /// Returns the size in bytes of the smallest fully associative cache in which repeated fetches of lines
+    /// are at most a tenth of the trace's distinct lines; 0 if no line is needed again.
     [[nodiscard]] std::uint64_t knee_bytes() const;
-    /// Lines that fully associative caches of this number of bytes bring in.
+    /// Returns the number of lines that a fully associative cache of this size fetches.
     [[nodiscard]] std::uint64_t misses(std::uint64_t bytes) const;
 
   private:
-    std::vector<std::vector<CacheModel>> machines_;  ///< of each, caches and, where they are known, TLBs
-    std::unordered_map<std::uint64_t, std::uint64_t> numbers_;  ///< of lines, as they first came
+    std::vector<std::vector<CacheModel>> machines_;  ///< caches of each machine, then its known TLBs
+    std::unordered_map<std::uint64_t, std::uint64_t> numbers_;  ///< of lines, in order of first use
     std::uint64_t last_line_ = 0, last_number_ = 0;             ///< of the last access
     ReuseDistance reuse_;
 };

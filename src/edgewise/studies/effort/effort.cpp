@@ -68,7 +68,7 @@ double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
 void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) {
     if (effort.is_peer) {
         effort.supports = effort.vertices_read = effort.lines_read =
-            Count::none("what a library reads cannot be told from outside");
+            Count::none("the reads of a library cannot be counted from outside");
         return;
     }
     ReadCounter counter(cell.workload().warm);
@@ -153,7 +153,7 @@ Effort examine(const CellChoice& choice) {
     effort.pair_bytes = static_cast<double>(cell.runner().pair_bytes());
     effort.wrong = cell.prepared().wrong();
     effort.steps =
-        type.is_peer ? Count::none("a library does not tell its steps") : Count{cell.prepared().mean_steps()};
+        type.is_peer ? Count::none("a library reports no steps") : Count{cell.prepared().mean_steps()};
     const double bytes_of_vertex = vertex_bytes(cell, ledger);
     take_trace(cell, bytes_of_vertex, effort);
     // A library may know neighbours that it does not expose: the lower of the two floors.

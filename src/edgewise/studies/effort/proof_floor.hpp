@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// A floor for the work of a query: what it takes to prove the right distance once it is known, with the
-// answer as a hint and nothing sought.
+// A floor for the work of a query: the work of a proof that the distance is right. The proof receives the
+// answer as a hint, so it does not search.
 //
-// Of separated bodies: that no vertex of A reaches farther along the answer's direction, and none of B
-// farther against it. If a body is known to be convex, and a vertex's neighbours are known, a vertex that is
-// no lower than its neighbours is the highest; so one vertex of the nearest feature is read, that of the
-// fewest neighbours, and these. A table that stores no neighbours is read whole. Each vertex read takes one
-// dot product of 5 flops; the direction into B's frame 15; the offset of the frames along it, and the sum of
-// the three, 7. Comparisons are no flops here.
+// Separated bodies: the proof shows that no vertex of A is farther along the answer's direction, and no
+// vertex of B farther against it. In a convex body a vertex that is no lower than its neighbours is the
+// highest. So the proof reads one vertex of the nearest feature (the one with the fewest neighbours) and its
+// neighbours. A table that stores no neighbours is read whole. Each vertex read takes one dot product of 5
+// flops. Turning the direction into B's frame takes 15; the offset of the frames along it, and the sum of the
+// three terms, take 7. Comparisons are no flops.
 //
-// Of bodies in contact: a point in both. Five vertices of the two bodies together are enough (Kirchberger's
-// theorem), and in general position needed, with their weights as the hint: 3 (2 x 5 - 2) flops for the two
-// weighted sums and 18 for B's into A's frame.
+// Bodies in contact: the proof shows a point in both. Five vertices of the two bodies together are enough
+// (Kirchberger's theorem), and needed in general position. Their weights are the hint: 3 (2 x 5 - 2) flops
+// for the two weighted sums, and 18 to turn B's sum into A's frame.
 //
-// Lines: the fewest lines of 64 bytes that the coordinates of these vertices can fill, table by table,
-// however a layout places them. Not counted are neighbours' numbers, poses, pair caches.
+// Lines: the fewest lines of 64 bytes that the coordinates of the vertices read can fill, table by table, in
+// any layout. Neighbours' numbers, poses and pair caches are not counted.
 //
 // The floor does not bound every proof. A table that stores planes proves the side of a face by its plane
-// alone; and to find the answer is not to prove it. It is the floor of proofs by heights of vertices, to
-// which all contenders are compared.
+// alone; and a query must also find the answer. It is the floor of proofs by heights of vertices; all cells
+// are compared to it.
 #pragma once
 
 #include <span>

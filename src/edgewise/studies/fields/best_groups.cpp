@@ -26,7 +26,7 @@ struct GroupCost {
     }
 };
 
-/// Fields, as bits, of one record that one query read from one of its tables.
+/// The fields, as bits, that one query read from one record of a table.
 struct RecordRead {
     std::uint32_t element, fields;
 };
@@ -104,7 +104,7 @@ Fields members(const Fields& fields, std::uint32_t set) {
     return chosen;
 }
 
-/// Returns the partition of these fields with the lowest cost.
+/// Returns the partition of `fields` with the lowest cost.
 std::vector<Fields> best_parts(KindReads& reads, const Fields& fields) {
     const std::uint32_t sets = std::uint32_t{1} << fields.size();
     std::vector<GroupCost> alone(sets), best(sets);

@@ -17,7 +17,7 @@
 
 namespace edgewise::studies {
 
-/// Queries that the search looks at: the first ones.
+/// Number of queries that the search reads: the first ones of the trace.
 inline constexpr std::uint64_t searched_queries = 2000;
 
 /// Returns the best groups. Fields that no query reads form a group of their own, one for each kind of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which fields are read together: by the same query, by the same step of its algorithm, and of the same
-// record in the same step. The last is what a record can use: two fields of an edge that a step reads of the
-// same edge may share its line; two that it reads of different edges cannot.
+// Counts fields that are read together: by the same query, by the same step of its algorithm, and of the same
+// record in the same step. Only the last matters for a record: two fields may share a line if a step reads
+// both of the same edge, not if it reads them of different edges.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace edgewise::studies {
 
-/// How often fields a and b were both read, at [a][b] and [b][a]; how often a was, at [a][a].
+/// [a][b] and [b][a]: number of times that fields a and b were both read; [a][a]: that field a was read.
 using FieldCounts = std::vector<std::vector<std::uint64_t>>;
 
 struct CoAccess {

@@ -141,7 +141,7 @@ class FieldsRun {
         look_at_unseen(trace.queries);
     }
 
-    /// Returns the table's groups if records of these groups reproduce it: the same lines and bytes.
+    /// Returns the table's groups if records made of them reproduce the table: the same lines and bytes.
     [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
         const std::optional<FieldGroups> groups = groups_of(trace.maps.front());
         if (!groups) return std::nullopt;

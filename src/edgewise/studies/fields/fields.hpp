@@ -82,8 +82,8 @@ struct FieldsContender {
 
 [[nodiscard]] std::string_view to_string(FieldsContender::Role role);
 
-/// One time over another, both of the same round: the median with its 95 % interval over the rounds of one
-/// process. Nothing where rounds are too few.
+/// Ratio of two times of the same round: the median with its 95 % interval over the rounds of one process.
+/// Nothing if there are too few rounds.
 struct TimeRatio {
     double low = 0, middle = 0, high = 0;
 };
@@ -92,7 +92,7 @@ struct TimeRatio {
 enum class Held {
     yes,
     no,
-    within_noise,  ///< of time: the interval holds 1, or lies within what the control shows
+    within_noise,  ///< of time: the interval reaches 1 or the control's interval
 };
 [[nodiscard]] std::string_view to_string(Held held);
 

@@ -25,7 +25,7 @@ class GateKernel {
     [[nodiscard]] double time_ns() const;
 
   private:
-    /// One node per cache line.
+    /// A node fills one cache line.
     struct alignas(64) Node {
         const Node* next = nullptr;
     };

@@ -25,7 +25,7 @@ struct GatePlan {
 
 struct GateRun {
     measure::FigureRecord record;
-    /// Cells that gave wrong answers, and what is wrong; only a reference has its row then.
+    /// Cells with wrong answers, and the error of each. They have no row, except a reference.
     std::vector<std::string> wrong;
 };
 

@@ -39,8 +39,8 @@ struct Respondent {
 
 enum class AnswerIs {
     right,
-    in_band,        ///< another verdict than the exact one, nearer to grazing than rounding decides
-    wrong_verdict,  ///< beyond that band
+    in_band,        ///< another verdict than the exact one, inside the band where rounding decides
+    wrong_verdict,  ///< outside the band
     wrong_distance,
     wrong_depth,
     no_answer,  ///< threw, or gave up
@@ -82,7 +82,7 @@ struct JudgedResponse {
 [[nodiscard]] std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents,
                                                   const scene::Case& pair, const PairTruth& truth);
 
-/// Returns every algorithm on each of these types, then the peers.
+/// Returns every algorithm on every type in `types`, then the peers.
 [[nodiscard]] std::vector<Respondent> respondents_of(std::span<const bench::TableType* const> types,
                                                      std::span<const std::string> algorithms,
                                                      std::span<const bench::TableType* const> peers);
@@ -95,8 +95,8 @@ struct SmallerPair {
     JudgedResponse answer;  ///< to the smaller pair
 };
 
-/// Solids stay solids. The error over the scale stays at least a tenth of the original, so that no
-/// other failure takes its place. Empty if the respondent is not wrong when it is asked.
+/// Returns the smaller pair. Solids stay solids. The error over the scale stays at least a tenth of the
+/// original, so that the failure stays the same. Empty if the respondent is not wrong when it is asked.
 [[nodiscard]] std::optional<SmallerPair> smaller_pair(const Respondent& respondent, const scene::Case& pair);
 
 }  // namespace edgewise::studies

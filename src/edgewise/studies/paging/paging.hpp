@@ -35,7 +35,7 @@ struct PagingRow {
 struct PagingResult {
     std::string table, algorithm;
     std::uint64_t table_bytes = 0, pages_touched = 0, queries = 0;  ///< of one pass
-    bool keeps_recency = true;  ///< else the system may throw out any page, and a prediction by LRU is none
+    bool keeps_recency = true;  ///< else the system may evict any page, and LRU predicts nothing
     std::vector<PagingRow> rows;
     std::string reason;  ///< why there are none
 };
@@ -43,7 +43,7 @@ struct PagingResult {
 /// Returns the size of a page of this system.
 [[nodiscard]] std::uint64_t page_bytes();
 
-/// Returns limits in bytes for tables of which `touched_bytes` are touched; 0: no limit.
+/// Returns the limits in bytes for tables with `touched_bytes` touched bytes; 0: no limit.
 using PagingLimits = std::function<std::vector<std::uint64_t>(std::uint64_t touched_bytes)>;
 
 /// Measures one table per instance of the workload, of one type. Each limit runs one pass to fill memory,

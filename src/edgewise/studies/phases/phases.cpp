@@ -101,7 +101,7 @@ constexpr Rule all[] = {
 
 }  // namespace phase_rules
 
-/// Returns the path within src/edgewise; nothing for other files, none of which has a phase.
+/// Returns the path within src/edgewise; nothing for other files, because they have no phase.
 std::optional<std::string_view> own_file(std::string_view file) {
     constexpr std::string_view root = "src/edgewise/";
     const std::size_t at = file.rfind(root);

@@ -49,7 +49,7 @@ struct StabilityPlan {
 
 struct StabilitySummary {
     std::size_t rows = 0, failed = 0, unavailable = 0;
-    bool stopped = false;  ///< before the last row
+    bool stopped = false;  ///< the run ended before its last row
 };
 
 /// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with
@@ -61,7 +61,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
 /// Returns the number of rows of a plan.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
-/// Runs into the store, with the seconds of each family.
+/// Runs the plan and writes its rows into the store, with the seconds of each family.
 StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
                                  const std::function<void(const StabilityRow&)>& on_row,
                                  const std::atomic<bool>& stop);

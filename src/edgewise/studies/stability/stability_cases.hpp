@@ -14,8 +14,8 @@
 
 namespace edgewise::studies {
 
-/// Two bodies that could be built, and their poses. In a warm family the poses are in time order; else they
-/// are all pairs of these bodies that came in a row.
+/// Two bodies that could be built, and their poses. In a warm family the poses are in time order. Otherwise
+/// they are the poses of all consecutive cases with the same two bodies.
 struct StabilityCase {
     Polyhedron a, b;
     std::vector<std::pair<Pose, Pose>> poses;
@@ -41,7 +41,7 @@ class StabilityCases {
     [[nodiscard]] truth::PlacedBodies placed(StabilityPose at, std::span<const Polyhedron> stored) const {
         return {stored[0].vertices, poses_of(at).first, stored[1].vertices, poses_of(at).second};
     }
-    /// Returns the paper's control, in double on the same bodies; nothing where a body is flat.
+    /// Returns the verdict of the paper's control, in double on the same bodies; nothing if a body is flat.
     [[nodiscard]] std::optional<bool> control(StabilityPose at, std::span<const Polyhedron> stored);
 
   private:

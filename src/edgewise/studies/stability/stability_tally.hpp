@@ -52,7 +52,7 @@ class StabilityTally {
     void add_time(const std::string& bin, std::optional<double> ns, const std::string& none);
 
     [[nodiscard]] std::vector<measure::Figure> figures() const;
-    /// Empty when there were answers and every one was right.
+    /// Returns the errors; empty if there were answers and every answer was right.
     [[nodiscard]] std::string what_is_wrong() const;
 
   private:

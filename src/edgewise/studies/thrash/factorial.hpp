@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What could have made figure 8: every combination of what the paper leaves open, each scored against the
-// four facts that the figure states (figure_8_facts.hpp). Demands are traced once (memory_demand.hpp); the
-// rest is arithmetic (memory_demand.hpp), so it is the same on every machine, except the cost of building a
-// table, which is measured here.
+// Possible causes of figure 8: every combination of the conditions that the paper leaves open is scored by
+// the four facts that the figure states (figure_8_facts.hpp). Demands are traced once (memory_demand.hpp).
+// The rest is arithmetic (memory_demand.hpp), so it is the same on every machine, except the cost of building
+// a table, which is measured here.
 #pragma once
 
 #include <atomic>
@@ -23,9 +23,9 @@ enum class Mechanism : std::uint8_t {
     queries_alone,
     whole_table_transform,  ///< every body's V-Clip table is brought to world space in every step
     builds,                 ///< `intensity`: tables built per query, by both algorithms
-    builds_of_vclip,        ///< likewise, by V-Clip alone
+    builds_of_vclip,        ///< `intensity`: tables built per query, by V-Clip alone
     capped_cycles,          ///< `intensity`: feature steps per query lost to cycles at 386 vertices
-    first_touches           ///< every page comes once in the 30 000 iterations of a point
+    first_touches           ///< every page faults once in the 30 000 iterations of a point
 };
 inline constexpr std::string_view mechanism_names[] = {
     "queries_alone", "whole_table_transform", "builds", "builds_of_vclip", "capped_cycles", "first_touches"};
@@ -68,11 +68,11 @@ struct Levels {
     std::size_t steps = 60, filling = 10;  ///< traced; of them, those before the counted ones
     std::uint64_t seed = 1;
 
-    /// Each point of an axis of speed is a run with an arrangement of its own.
+    /// Returns the seed of a point on the axis of speed: each point has its own arrangement of bodies.
     [[nodiscard]] std::uint64_t seed_of(std::size_t speed) const { return seed * speeds.size() + speed; }
 };
 
-/// What calibrated a machine at a time step.
+/// The calibration of a machine at a time step.
 struct Calibration {
     std::size_t machine = 0;
     double time_step = 0, ns_per_read = 0;
@@ -93,8 +93,8 @@ struct Factorial {
     double cycles = 0, vclip_queries = 0;
 };
 
-/// Throws std::invalid_argument where this program lacks a table type. `on_trace` is notified of each scene.
-/// Without outcomes when it was stopped.
+/// Returns the factorial; without outcomes if it was stopped. Throws std::invalid_argument if this program
+/// lacks a table type. `on_trace` is called for each scene.
 [[nodiscard]] Factorial run_factorial(const Levels& levels, const std::function<void()>& on_trace,
                                       const std::atomic<bool>& stop);
 

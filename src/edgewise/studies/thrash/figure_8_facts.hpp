@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The four facts that figure 8 states (section 4), each a number and a rule. Figures 7 and 8 have no marks on
-// their axes of time but the ends, 1e-4 s and 1.2e-3 s: a top is known to no better than a factor of two.
+// The four facts that figure 8 states (section 4), each a number and a rule. The time axes of figures 7 and 8
+// have marks at their ends only, 1e-4 s and 1.2e-3 s: a maximum is known to a factor of two at best.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct FactScore {
     }
 };
 
-/// The largest quotient of a time and one at a faster speed; 1 or less: it never falls.
+/// Returns the largest ratio of a time to the time at a faster speed; 1 or less if the time never falls.
 [[nodiscard]] double largest_fall(const SpeedCurve& curve);
 
 [[nodiscard]] FactScore score(const Figure8& figure);

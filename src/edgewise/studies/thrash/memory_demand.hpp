@@ -31,15 +31,15 @@ struct Scene {
     std::uint64_t seed = 1;
 };
 
-/// Throws std::invalid_argument where the scene cannot be made.
+/// Throws std::invalid_argument if the scene cannot be made.
 [[nodiscard]] scene::Workload workload_of(const Scene& scene);
 
-/// Sizes at which a demand is known, growing.
+/// Sizes at which a demand is known, in ascending order.
 struct MemorySizes {
     std::vector<std::uint64_t> lines, pages;
 };
 
-/// Per query of the counted steps, first queries of pairs included.
+/// Numbers per query of the counted steps, with the first queries of pairs.
 struct MemoryDemand {
     std::uint64_t queries = 0, steps = 0;
     double reads = 0;                              ///< of fields and of pairs' caches: the processor's work
@@ -52,7 +52,7 @@ struct MemoryDemand {
     std::string reason;                               ///< why there is none of this
 };
 
-/// `filling`: steps before those that count.
+/// `filling`: number of steps before the counted steps.
 [[nodiscard]] MemoryDemand trace_demand(const bench::TableType& type, const std::string& algorithm,
                                         const scene::Workload& workload, bench::Sharing sharing,
                                         const MemorySizes& sizes, std::size_t filling);
@@ -61,15 +61,15 @@ struct MemoryDemand {
 //
 //     t = reads x k + sum over levels of misses x latency + TLB misses x walk + faults x c
 //
-// k is the processor's time for each read of a field, everything in its first cache: one number per machine
-// and time step, such that the tops of figures 4, 6 and 7 (no thrash there, says the paper) are met on
-// average. Reads measure the processor's work: unlike instructions they can be counted in every cell. The
-// caches are fully associative LRU here: exact for any size, a little kind to the real ones.
+// k is the processor's time for each read of a field with all data in its first cache: one number per machine
+// and time step, fitted so that the tops of figures 4, 6 and 7 (without thrashing, says the paper) are met on
+// average. Reads measure the processor's work: unlike instructions, they can be counted in every cell. The
+// caches are fully associative LRU: exact for any size, with slightly fewer misses than real ones.
 
 /// One of measure/machines with lines of 32 bytes and two levels.
 class OldMachine {
   public:
-    /// Throws std::invalid_argument for one that has other lines or levels, or no known latencies.
+    /// Throws std::invalid_argument if the machine has other lines or levels, or no known latencies.
     explicit OldMachine(const measure::CacheMachine& machine);
 
     [[nodiscard]] const std::string& name() const { return machine_->name; }
@@ -77,13 +77,13 @@ class OldMachine {
     [[nodiscard]] std::uint64_t lines(std::size_t level) const;
     [[nodiscard]] std::uint64_t tlb_pages() const;
 
-    /// To an answer, beyond one of the first level.
+    /// Return the latency of an answer, minus the latency of the first level.
     [[nodiscard]] double second_level_ns() const;
     [[nodiscard]] double memory_ns() const;
-    /// A page walk reads two tables, as 32-bit processors have them: from the second level, assumed.
+    /// Returns the time of a page walk: it reads two tables (32-bit processors), assumed in the second level.
     [[nodiscard]] double walk_ns() const { return 2 * second_level_ns(); }
 
-    /// Returns the time of these misses of the first level, the second and the TLB.
+    /// Returns the time of misses: `first` and `second` of the two levels, `tlb` of the TLB.
     [[nodiscard]] double memory_time_ns(double first, double second, double tlb) const {
         return (first - second) * second_level_ns() + second * memory_ns() + tlb * walk_ns();
     }
@@ -92,22 +92,22 @@ class OldMachine {
     const measure::CacheMachine* machine_;
 };
 
-/// Those of the factorial, of measure/machines: the text was written in 2000 or 2001 of experiments before.
+/// Returns the factorial's machines, from measure/machines: older than the paper, written in 2000 or 2001.
 [[nodiscard]] std::vector<OldMachine> old_machines();
 
-/// Returns the sizes of the caches and TLBs, and of memories of these bytes.
+/// Returns the sizes of the machines' caches and TLBs, and the sizes in `memories` (bytes).
 [[nodiscard]] MemorySizes sizes_for(const std::vector<OldMachine>& machines,
                                     const std::vector<std::uint64_t>& memories);
 
-/// A demand's misses at one of its sizes.
+/// Returns the misses of a demand at one of its sizes.
 [[nodiscard]] double misses_at(const std::vector<std::uint64_t>& sizes, const std::vector<double>& misses,
                                std::uint64_t size);
 
-/// The term of caches and TLB of a query.
+/// Returns the time of a query's misses in caches and TLB.
 [[nodiscard]] double cache_ns(const OldMachine& machine, const MemorySizes& sizes,
                               const MemoryDemand& demand);
 
-/// A figure's end of the axis of time, and what is asked there by the algorithm that takes longer.
+/// The end of a figure's time axis, and the reads and memory time of the slower algorithm there.
 struct CalibrationPoint {
     int figure = 0;
     double top_ns = 0;
@@ -116,7 +116,7 @@ struct CalibrationPoint {
     [[nodiscard]] double model_ns(double ns_per_read) const { return reads * ns_per_read + memory_ns; }
 };
 
-/// k: the mean of log(model over top) is 0; 0 where memory alone takes longer than that.
+/// Returns k, for which the mean of log(model over top) is 0; 0 if memory alone takes longer.
 [[nodiscard]] double ns_per_read(const std::vector<CalibrationPoint>& points);
 
 }  // namespace edgewise::studies::thrash

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A cell of the factorial made real: figure 8 itself, time against speed, both algorithms, 38 and 386
-// vertices, on this machine with its tables in a memory of the cell's size, where a page that is not held
-// comes after the cell's cost (fault_pager.hpp). Each time has a prediction: the same queries
+// Measures a cell of the factorial for real, as figure 8: time against speed, both algorithms, 38 and 386
+// vertices, on this machine. The tables are in a memory of the cell's size; a page that is not in it arrives
+// after the cell's cost of a fault (fault_pager.hpp). Each time has a prediction: the same queries
 // without the pager, and the faults that the same policy has on the pages of a trace.
 #pragma once
 
@@ -39,11 +39,11 @@ struct RealisedCell {
     [[nodiscard]] double worst_ratio() const;
 };
 
-/// Returns the outcomes to make real. For each cost of a fault, with queries alone: the one with most facts
-/// that rises nearest to the paper's 12 (on the first machine); of these outcomes the best `count`.
+/// Returns the outcomes to make real: for each cost of a fault, with queries alone, the one with most facts
+/// and the rise nearest to the paper's 12 (on the first machine). The best `count` of them are kept.
 [[nodiscard]] std::vector<Outcome> outcomes_to_realise(const Factorial& factorial, std::size_t count);
 
-/// `budget_ns`: of waiting, for each point; where that is less than all counted steps, fewer queries are
+/// `budget_ns`: waiting time for each point. If all counted steps would take longer, fewer queries are
 /// asked.
 [[nodiscard]] RealisedCell realise(const Outcome& outcome, const Levels& levels, double budget_ns);
 

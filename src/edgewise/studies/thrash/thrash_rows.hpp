@@ -12,7 +12,7 @@
 
 namespace edgewise::studies::thrash {
 
-/// How many cells of a factorial are made real, and for how long each of their points may wait.
+/// Number of the factorial's cells that are made real, and the longest wait of each of their points.
 inline constexpr std::size_t realised_cells = 3;
 inline constexpr double budget_of_a_point_ns = 3e9;
 
@@ -23,7 +23,7 @@ struct OutcomeGroup {
 
     [[nodiscard]] std::size_t with(Fact fact) const;
     [[nodiscard]] std::size_t with_all() const;
-    /// Returns the outcome with most facts; among equals the one that rises nearest to 12.
+    /// Returns the outcome with most facts; among equal outcomes, the one with the rise nearest to 12.
     [[nodiscard]] const Outcome& best() const;
 };
 

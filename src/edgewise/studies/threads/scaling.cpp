@@ -68,7 +68,7 @@ struct RoundTimes {
 bench::RunnerOptions runner_options(const CellChoice& choice) {
     if (choice.needs == Needs::nearer || choice.needs > Needs::witnesses)
         throw std::invalid_argument(
-            fmt::format("needs {}: batches answer verdict, distance and witnesses; ask for one of these",
+            fmt::format("needs {}: batches answer verdict, distance or witnesses only; choose one",
                         to_string(choice.needs)));
     bench::RunnerOptions options;
     options.set_needs(choice.needs);

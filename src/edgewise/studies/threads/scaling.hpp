@@ -7,8 +7,8 @@
 // and a clock that falls when more cores work. Threads go where the system puts them, and with simultaneous
 // multithreading two may be on one core.
 //
-// Every measurement is a pass that fills caches, then one that is timed. Numbers of threads and ways take
-// turns in every round, and what is compared is of the same round.
+// Every measurement is a pass that fills caches, then a timed pass. Numbers of threads and ways of sharing
+// take turns in every round, and only times of the same round are compared.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@
 
 namespace edgewise::studies {
 
-/// A cell's workload and tables once more, with nothing in common with another copy.
+/// A copy of a cell's workload and tables that shares nothing with another copy.
 class CellCopy {
   public:
     /// Throws std::invalid_argument as SingleCell.
