@@ -61,9 +61,10 @@ std::string store_with(const std::vector<std::string>& names, const std::string&
 
 std::vector<std::string> names_to_try(const ReportData& empty) {
     std::vector<std::string> names = {
-        "thrashing", "answer",  "cells",      "problems",          "look",          "passed", "results",
-        "about",     "columns", "paper_mine", "paper_bodies_mine", "effort tumble", "a b",    "a.b",
-        "a_b"};
+        "thrashing",     "answer",  "cells",   "problems",   "look",
+        "passed",        "results", "sweep",   "sweep2",     "sweeping",
+        "sweep_mine",    "about",   "columns", "paper_mine", "paper_bodies_mine",
+        "effort tumble", "a b",     "a.b",     "a_b"};
     for (const char* run : study_runs)
         for (const char* end : {"", "2", "ing", "_mine"}) names.push_back(std::string(run) + end);
     for (const scene::SceneInfo& kind : scene::list_scenes()) {
