@@ -90,7 +90,7 @@ CLI::Option* add_rounds_option(CLI::App& command, To& rounds, const input::Count
 }
 template <class To>
 CLI::Option* add_slack_option(CLI::App& command, To& slack, const std::string& usual) {
-    return add_number(command, "--slack", slack, {0, 10},
+    return add_number(command, "--slack", slack, {0, 100},
                       "a time may become longer by this part of itself" + usual);
 }
 

@@ -21,7 +21,7 @@ InlineFrame frame(const char* function, const std::string& file) {
 const InlineFrame product = frame("dot", "geometry/vec.hpp");
 const InlineFrame eigen{"coeff", "/usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h"};
 const InlineFrame advance = frame("advance", "algorithms/gjk.hpp");
-const InlineFrame starts = frame("start", "algorithms/gjk.hpp");
+const InlineFrame starts = frame("start", "algorithms/gjk_start.hpp");
 
 TEST(Phases, ArithmeticBelongsToWhoAsksForIt) {
     const auto climb = phase_of({eigen, product, frame("climb_support", "algorithms/support.hpp"), advance});
