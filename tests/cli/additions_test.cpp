@@ -47,7 +47,7 @@ TEST_F(Additions, AStudyIsMeasuredStoredAndReported) {
     EXPECT_THAT(rows_of(folder_ / "s.db",
                         "select shape, name, value from cell join figure using(build, hash) where run = "
                         "'scratch' order by shape"),
-                ElementsAre("1|square|1", "2|square|4", "3|square|9"));
+                ElementsAre("1|square|1.0", "2|square|4.0", "3|square|9.0"));
     for (const char* page : {"report.md", "index.html"}) {
         const std::string text = text_of(folder_ / page);
         for (const char* said :
@@ -95,7 +95,7 @@ TEST_F(Additions, AProbeIsListedAndMeasured) {
     EXPECT_THAT(rows_of(folder_ / "s.db",
                         "select name, value from figure where probe = 'scratch' and "
                         "hash in (select hash from cell where run = 'sweep')"),
-                ElementsAre("queries|100"));
+                ElementsAre("queries|100.0"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ const std::map<std::string, Arguments>& printing() {
         {"advise", {"--store", "s.db"}},
         {"bench model", {"--shape", "cube8", "--queries", "20", "--repetitions", "1"}},
         {"advise budget", {"--shape", "sphere38"}},
-        {"bench gate", {"b.json", "--write", "--rounds", "9", "--queries", "20", "--layouts", "aos_f64"}},
+        {"bench gate", {"b.json", "--write", "--rounds", "9", "--queries", "200", "--layouts", "aos_f64"}},
         {"bytes", {"--layouts", "aos_f64"}},
         {"caches", {"--shape", "cube8", "--queries", "20"}},
         {"bench calibrate", {"--loads", "1000", "--times", "0.01"}},
