@@ -275,7 +275,7 @@ std::string break_even_sentence(const BreakEvenMap& map) {
     for (const auto& [name, count] : most) append(names, fmt::format("{} {}", name, count));
     return fmt::format(
         "Of {} that were measured, one algorithm and layout wins in {}{}; several tie in {}, and {} are too "
-        "noisy to tell.",
+        "noisy to rank.",
         plural(map.measured(), "place"), won, names.empty() ? "" : " (" + names + ")", tied, noisy);
 }
 
