@@ -65,8 +65,6 @@ edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(squared) && !retry_in_wide_arithmetic(separates)) {]] [[if (gains(squared)) {]]
     RandomPairs* ${random_pairs})
-edgewise_mutant(near_contact_unproven algorithms/gjk.hpp [[return !sub_.is_close(squared) || (is_decided_ && sub_.reaches_closest());]] [[return true;]]
-    GjkNearContact* ${unit}/algorithms/near_contact_test.cpp)
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (verdict_only_)]]
