@@ -104,7 +104,7 @@ Violations long_files(const Files& files) {
     return found;
 }
 
-Violations long_functions(const Files& files) {
+Violations functions_beyond(std::size_t longest, const Files& files) {
     Violations found;
     for (const SourceFile& file : files) {
         for (std::size_t end = 0; is_cpp(file) && end < file.lines.size(); ++end) {
@@ -112,12 +112,14 @@ Violations long_functions(const Files& files) {
                 !file.lines[end].ends_with('}'))
                 continue;
             const std::size_t first = first_line(file.lines, end), length = end - first + 1;
-            if (length > longest_function)
+            if (length > longest)
                 found.push_back({file.path, first + 1, "a function of " + std::to_string(length) + " lines"});
         }
     }
     return found;
 }
+
+Violations long_functions(const Files& files) { return functions_beyond(longest_function, files); }
 
 Violations foreign_matter(const Files& files) {
     const std::vector<std::string> words = foreign_words();

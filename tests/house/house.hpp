@@ -56,6 +56,8 @@ using Violations = std::vector<Violation>;
 
 /// Functions, counted from the line that names the function to its closing brace. Relies on the indentation
 /// that clang-format gives: the brace is a line of its own, under the first line of the function.
+/// Returns the functions of more lines than this.
+[[nodiscard]] Violations functions_beyond(std::size_t longest, const Files& files);
 [[nodiscard]] Violations long_functions(const Files& files);
 
 /// Names of package hosts, folders of one machine, and other people's code (by file type and copyright

@@ -27,6 +27,7 @@ TEST(Tree, IsTheProject) {
         EXPECT_TRUE(has(path)) << path;
     }
     EXPECT_GT(std::count_if(tree().begin(), tree().end(), is_cpp), 100);
+    EXPECT_GT(functions_beyond(1, tree()).size(), 500U);
 }
 
 TEST(Dependencies, FollowTheRule) { EXPECT_EQ(to_text(forbidden_includes(tree())), ""); }

@@ -3,17 +3,17 @@
 // The message of an exception, for tests of what users read.
 #pragma once
 
-#include <exception>
+#include <stdexcept>
 #include <string>
 
 namespace edgewise {
 
-/// The message of the std::exception that `action` throws; empty if it throws none.
-template <class Action>
+/// Returns the message of the Problem that `action` throws; empty if it throws nothing. Others pass through.
+template <class Problem = std::runtime_error, class Action>
 [[nodiscard]] std::string complaint_of(Action action) {
     try {
         static_cast<void>(action());
-    } catch (const std::exception& problem) {
+    } catch (const Problem& problem) {
         return problem.what();
     }
     return {};

@@ -31,7 +31,7 @@ class MachineChoices : public testing::Test {
         return (folder_ / name).string();
     }
     static std::string complaint(const std::vector<std::string>& names) {
-        return complaint_of([&] { return choose_machines(names); });
+        return complaint_of<std::exception>([&] { return choose_machines(names); });
     }
     /// Writes the description of one cache, in the format of sysfs.
     void add_cache(int index, const std::string& type, int level, const std::string& size, int ways) const {
@@ -158,7 +158,8 @@ TEST(MachineOfSizes, HasTheLevelsAskedFor) {
 TEST(MachineOfSizes, RefusesWhatIsNone) {
     for (const char* wrong :
          {"l2=256X", "l3=8M,l2=256K", "l2=256K,l2=1M", "l2=100", "l2=1000001", "l2=8M,x"}) {
-        EXPECT_THAT(complaint_of([&] { return machine_of_sizes(wrong); }), HasSubstr("l2=256K,l3=8M"))
+        EXPECT_THAT(complaint_of<std::invalid_argument>([&] { return machine_of_sizes(wrong); }),
+                    HasSubstr("l2=256K,l3=8M"))
             << wrong;
         EXPECT_THROW(static_cast<void>(machine_of_sizes(wrong)), std::invalid_argument);
     }

@@ -117,7 +117,7 @@ TEST_F(StoreTest, ADamagedFileIsOneLine) {
 TEST_F(StoreTest, AnOlderSchemaIsRefusedWithWhatHelps) {
     { const Store created(path_); }
     sqlite::Database(path_).execute("pragma user_version = 4");
-    EXPECT_THAT(complaint_of([&] { return Store(path_).meta(""); }),
+    EXPECT_THAT(complaint_of([&] { const Store store(path_); }),
                 AllOf(HasSubstr("schema version 4"), HasSubstr("name another store")));
     EXPECT_THAT(complaint_of([&] { return read_build(path_); }),
                 AllOf(HasSubstr("schema version 4"), HasSubstr("write a new store with a sweep")));

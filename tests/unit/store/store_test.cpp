@@ -72,7 +72,7 @@ void expect_equal(const FigureRow& a, const FigureRow& b) {
 /// Opening must fail with one line that holds the path and `words`, and must leave every byte as it was.
 void expect_refused(const std::string& path, const std::string& words) {
     const std::string before = bytes_of(path);
-    EXPECT_THAT(complaint_of([&] { return Store(path).meta(""); }),
+    EXPECT_THAT(complaint_of([&] { const Store store(path); }),
                 AllOf(HasSubstr(path), HasSubstr(words), Not(HasSubstr("\n"))));
     EXPECT_EQ(bytes_of(path), before);
     EXPECT_FALSE(std::filesystem::exists(path + "-wal"));
@@ -239,7 +239,7 @@ TEST_F(StoreTest, RefusesPathsThatCannotBeAStore) {
     EXPECT_THROW(Store(""), std::runtime_error);
     EXPECT_THROW(Store(directory_.string()), std::runtime_error);
     const std::string missing = (directory_ / "missing" / "test.db").string();
-    EXPECT_THAT(complaint_of([&] { return Store(missing).meta(""); }),
+    EXPECT_THAT(complaint_of([&] { const Store store(missing); }),
                 AllOf(HasSubstr(missing), HasSubstr("directory")));
 }
 
