@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace edgewise::truth {
 namespace {
@@ -63,10 +64,11 @@ TEST(CheckedAnswer, overlapping_pairs_are_excused_by_their_depth) {
 }
 
 TEST(CheckedAnswer, nan_and_no_answer_are_wrong_everywhere) {
-    for (const ExactVerdict v :
-         {ExactVerdict::separated, ExactVerdict::touching, ExactVerdict::overlapping}) {
-        EXPECT_TRUE(checked(apart(nan), v, 0, 0.25).verdict_wrong);
-        EXPECT_TRUE(checked({.failed = true}, v, 0).verdict_wrong);
+    for (const auto& [verdict, distance] : {std::pair{ExactVerdict::separated, 2.0},
+                                            {ExactVerdict::touching, 0.0},
+                                            {ExactVerdict::overlapping, 0.0}}) {
+        EXPECT_TRUE(checked(apart(nan), verdict, distance, 0.25).verdict_wrong);
+        EXPECT_TRUE(checked({.failed = true}, verdict, distance).verdict_wrong);
     }
     Claim witnesses = apart(2);
     witnesses.witness_error = nan;
