@@ -67,6 +67,26 @@ class points_soa : public PlacedTable<PointArrays<typename P::Stored>, P, Loader
         return scan_one_by_one(direction);
     }
 
+    /// Returns the height of the farthest vertex along the direction.
+    template <class Number>
+    [[nodiscard]] Number scan_height(const Vec3<Number>& direction) const {
+        constexpr std::size_t size = Pack<Number>::size;
+        const std::size_t count = this->vertex_count();
+        Number greatest = -std::numeric_limits<Number>::infinity();
+        if (!std::is_same_v<Loader, Direct> || pack_bytes == 0 || count < size) {
+            for (const Vertex v : this->all_vertices())
+                greatest = std::max(greatest, dot(cast<Number>(vertex(v)), direction));
+            return greatest;
+        }
+        typename Pack<Number>::Numbers highest, heights;
+        heights_from(0, direction, highest);
+        for (std::size_t next = size; next < count; next += size) {
+            heights_from(std::min(next, count - size), direction, heights);
+            highest = heights > highest ? heights : highest;
+        }
+        return Pack<Number>::greatest(highest);
+    }
+
   private:
     /// Scans a pack of vertices at a time, the last ones perhaps twice: each lane keeps its highest, and at
     /// the end the first vertex with the highest value of all wins. No branch except the loop's.
@@ -84,12 +104,13 @@ class points_soa : public PlacedTable<PointArrays<typename P::Stored>, P, Loader
         return static_cast<Vertex>(highest.first_highest(count - 1));
     }
 
-    [[gnu::always_inline]] void heights_from(std::size_t first, const Vec3<Compute>& direction,
-                                             typename Pack<Compute>::Numbers& heights) const {
-        typename Pack<Compute>::Numbers x, y, z;
-        Pack<Compute>::load(axis(0) + first, x);
-        Pack<Compute>::load(axis(1) + first, y);
-        Pack<Compute>::load(axis(2) + first, z);
+    template <class Number>
+    [[gnu::always_inline]] void heights_from(std::size_t first, const Vec3<Number>& direction,
+                                             typename Pack<Number>::Numbers& heights) const {
+        typename Pack<Number>::Numbers x, y, z;
+        Pack<Number>::load(axis(0) + first, x);
+        Pack<Number>::load(axis(1) + first, y);
+        Pack<Number>::load(axis(2) + first, z);
         heights = x * direction.x() + y * direction.y() + z * direction.z();
     }
 

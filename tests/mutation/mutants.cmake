@@ -40,6 +40,12 @@ edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[if (
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[Base(a, b, a_from_b, options.sub_distance),]] [[Base(a, b, a_from_b, SubDistanceSolver::cofactors),]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
+edgewise_mutant(upper_proof_is_skipped algorithms/subset.hpp [[return norm(weighted) <= norm(closest.point) + Tolerance<Scalar>::support_noise * size;]] [[return true;]]
+    ReachesClosest.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(lower_proof_is_skipped algorithms/kept_simplex.hpp [[return length - below <= std::max(Tolerance<Number>::open_gap * size_, open);]] [[return true;]]
+    KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
+    KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
     *Support* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(climb_stops_at_level_vertices algorithms/support.hpp [[|| !leave_level(table, direction, band, best)) return best;]] [[|| true) return best;]]
@@ -67,9 +73,9 @@ edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(square
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
-edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (verdict_only_)]]
+edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (options_.verdict_only && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (options_.verdict_only)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (false)]]
+edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (options_.verdict_only && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (false)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > std::sqrt(contact_squared_ * squared)]] [[reach_ > noise]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
@@ -113,9 +119,7 @@ edgewise_mutant(proof_over_thin_faces layout_parts/derived/derived_ends.hpp [[re
     StillClosest.ProvesOfThinCorners* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[return facts_.climbable && facts_]] [[return facts_]]
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
-edgewise_mutant(faces_of_flat_bodies_unasked algorithms/vclip/proof.hpp [[FeatureKind::face && may_climb(body.table))]] [[FeatureKind::face)]]
-    Proof.Asks* ${unit}/algorithms/proof_test.cpp)
-edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared_norm(sub_.closest().point) > farthest * farthest;]] [[return farthest < 0;]]
+edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)

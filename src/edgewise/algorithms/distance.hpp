@@ -36,7 +36,7 @@ struct Distance {
     int steps = 0;        ///< V-Clip states visited, or GJK iterations
     int cycles = 0;       ///< runs that came back to a state already seen
     int fallbacks = 0;    ///< answers taken from the complete fallback instead
-    int refinements = 0;  ///< close answers computed again from where the run ended
+    int refinements = 0;  ///< close or doubtful answers computed again from where the run ended
     int escapes = 0;      ///< local minima under a face that V-Clip left for a better face
 };
 

@@ -7,8 +7,8 @@
 // the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
-// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). gjk_start.hpp says where a run
-// starts.
+// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A run that starts from the last
+// answer first tries to prove it (kept_simplex.hpp). gjk_start.hpp says where a run starts.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 #include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/gjk_start.hpp"
+#include "edgewise/algorithms/kept_simplex.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
@@ -74,20 +75,22 @@ class GjkRun : GjkStart<TableA, TableB> {
         : Base(a, b, a_from_b, options.sub_distance),
           contact_squared_(static_cast<Scalar>(options.contact_tolerance * options.contact_tolerance)),
           gap_(static_cast<Scalar>(options.gap_tolerance)),
-          verdict_only_(options.verdict_only) {
+          options_(options) {
         assert(options.contact_tolerance >= 0 && options.gap_tolerance >= 0);
     }
 
     template <class Observer = NoObserver>
     [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
+        if (Distance kept; answer_from_last(pair, kept, observer)) return kept;
         this->start(pair);
         while (steps_ < most_gjk_iterations) {
-            ++steps_;
-            observer.iterate(sub_.closest().members);
+            if (++steps_ > told_steps_) observer.iterate(sub_.closest().members);
             if (sub_.simplex().count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(sub_.closest().point);
             if (squared > contact_squared_ && advance(squared)) continue;
-            if (is_proven(squared) || !sub_.solve_close_in_wide())
+            if (is_proven()) return finish(pair, separated_or_contact());
+            if (Distance again; squared > contact_squared_ && answer_again(pair, again)) return again;
+            if (!sub_.solve_close_in_wide())
                 return finish(pair, squared == 0 ? Status::touching : separated_or_contact());
         }
         assert(false && "GJK does not converge: a shape's vertices are not those of a convex body");
@@ -102,6 +105,28 @@ class GjkRun : GjkStart<TableA, TableB> {
     using Base::is_cold_;
     using Base::sub_;
 
+    /// Answers from the last query's simplex, in doubles, if that provably holds the closest points still.
+    /// Tried on small bodies: on large ones it fails too often for its climbs. The paper's algorithm
+    /// (Johnson's search) does without.
+    template <class Observer>
+    [[nodiscard]] bool answer_from_last(Pair& pair, Distance& answer, Observer& observer) {
+        const std::uint32_t count = pair.count();
+        const bool tries = options_.sub_distance == SubDistanceSolver::cofactors && count < 4 &&
+                           is_small(a_) && is_small(b_) && pair.starts_warm(a_, b_);
+        if (!tries) return false;
+        KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
+        for (std::uint32_t i = 0; i < count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
+        const bool rests =
+            kept.rests_on_all() && !is_farther(kept.squared_distance(), double{pair.distance()}, kept.size());
+        if (!rests) return false;
+        observer.iterate(kept.closest().members);
+        told_steps_ = 1;
+        if (!kept.is_proven(options_)) return false;
+        answer = gjk_answer(kept, kept.closest(), Status::separated, 1);
+        pair.set_distance(answer.distance);
+        return true;
+    }
+
     /// Adds one support point; false when nothing is left to gain.
     [[nodiscard]] bool advance(Scalar squared) {
         const auto& simplex = sub_.simplex();
@@ -110,25 +135,39 @@ class GjkRun : GjkStart<TableA, TableB> {
         const auto b =
             this->support_from(b_, a_from_b_.direction_back(v), simplex.vertex_b(simplex.count - 1));
         const Vec3<Scalar> on_b = a_from_b_.point(b.point);
-        const Scalar noise = Tolerance<Scalar>::support_noise * std::sqrt(squared) * simplex.size;
+        const Scalar length = std::sqrt(squared) * simplex.size;
+        const Scalar noise = Tolerance<Scalar>::support_noise * length;
         reach_ = dot(v, Vec3<Scalar>(a.point - on_b));
         separates_ = reach_ > noise;
-        if (verdict_only_ && reach_ - noise > std::sqrt(contact_squared_ * squared)) {
+        if (options_.verdict_only && reach_ - noise > std::sqrt(contact_squared_ * squared)) {
             is_decided_ = true;
             return false;
         }
         if (steps_ == 1 && !is_cold_ && reach_ < static_cast<Scalar>(far_off_simplex) * squared &&
             this->start_nearer(squared))
             return true;
-        is_decided_ = squared - reach_ <= std::max(noise, gap_ * squared);
+        is_decided_ = squared - reach_ <= std::max(Tolerance<Scalar>::open_gap * length, gap_ * squared);
         if (is_decided_ || simplex.holds(a.vertex, b.vertex)) return false;
         return sub_.extend(a.vertex, b.vertex, a.point, on_b, squared, separates_);
     }
 
-    /// Returns true if the run may end here. An answer near contact needs a proof from both sides: no vertex
-    /// of the difference lies nearer along the closest point's direction, and the simplex reaches that point.
-    [[nodiscard]] bool is_proven(Scalar squared) const {
-        return !sub_.is_close(squared) || (is_decided_ && sub_.reaches_closest());
+    /// Returns true if the run may end here: no vertex of the difference lies nearer along the closest
+    /// point's direction, and the simplex reaches that point.
+    [[nodiscard]] bool is_proven() const {
+        return is_decided_ && reaches_closest(sub_.simplex(), sub_.closest(), sub_.simplex().size);
+    }
+
+    /// Answers an end that is not proven from the simplex, computed again more carefully, if that is proven.
+    [[nodiscard]] [[gnu::noinline]] EDGEWISE_IN_QUERY_LOOP bool answer_again(Pair& pair,
+                                                                             Distance& answer) const {
+        const auto& simplex = sub_.simplex();
+        return ask_kept_simplex(a_, b_, a_from_b_, [&](auto& kept) {
+            for (int i = 0; i < simplex.count; ++i) kept.push(simplex.vertex_a(i), simplex.vertex_b(i));
+            if (!kept.rests_on_all() || !kept.is_proven(options_)) return false;
+            answer = gjk_answer(kept, kept.closest(), Status::separated, steps_);
+            pair.hold(a_, b_, simplex, answer.distance);
+            return true;
+        });
     }
 
     /// At the origin with a direction that separates nothing: contact within this precision.
@@ -144,12 +183,12 @@ class GjkRun : GjkStart<TableA, TableB> {
         return answer;
     }
 
-    Scalar contact_squared_, gap_;  ///< QueryOptions
-    bool verdict_only_;
+    Scalar contact_squared_, gap_;
+    QueryOptions options_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
-    int steps_ = 0;
-    bool separates_ = false;   ///< true if a direction separates by more than rounding
-    bool is_decided_ = false;  ///< true if the last support point leaves nothing to gain
+    int steps_ = 0, told_steps_ = 0;  ///< told: to the observer, before the loop
+    bool separates_ = false;          ///< true if a direction separates by more than rounding
+    bool is_decided_ = false;         ///< true if the last support point leaves nothing to gain
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table

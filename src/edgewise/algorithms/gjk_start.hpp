@@ -27,6 +27,15 @@ inline constexpr double far_off_simplex = 0.5;
 /// 0.03 of the time to any pose; at 1 rad less is better.
 inline constexpr double moved_far_of_distance = 1.1, moved_far_of_size = 0.125;
 
+/// Returns true if a last simplex at this squared distance, with coordinates up to `size`, is far off: the
+/// bodies have moved far since the last query ended at distance `before`.
+template <class Scalar>
+[[nodiscard]] bool is_farther(Scalar squared, Scalar before, Scalar size) {
+    const Scalar farthest =
+        static_cast<Scalar>(moved_far_of_distance) * before + static_cast<Scalar>(moved_far_of_size) * size;
+    return squared > farthest * farthest;
+}
+
 /// The bodies and the sub-distance of a run, and its start.
 template <SupportTable TableA, SupportTable TableB>
 class GjkStart {
@@ -43,7 +52,8 @@ class GjkStart {
         if (!is_cold_) {
             sub_.add_last(pair, a_, b_, a_from_b_);
             sub_.solve_first();
-            is_cold_ = lies_farther(static_cast<Scalar>(pair.distance()));
+            is_cold_ = is_farther(squared_norm(sub_.closest().point), static_cast<Scalar>(pair.distance()),
+                                  sub_.simplex().size);
             if (!is_cold_) return;
             sub_.clear();
         }
@@ -78,13 +88,6 @@ class GjkStart {
     bool is_cold_ = false;
 
   private:
-    /// Returns true if the bodies have moved far since the last query ended at distance `before`.
-    [[nodiscard]] bool lies_farther(Scalar before) const {
-        const Scalar farthest = static_cast<Scalar>(moved_far_of_distance) * before +
-                                static_cast<Scalar>(moved_far_of_size) * sub_.simplex().size;
-        return squared_norm(sub_.closest().point) > farthest * farthest;
-    }
-
     /// Cold start: from the points of both bodies that face each other along the line of their origins.
     void start_between_origins() {
         const Vec3<Scalar>& towards_b = a_from_b_.translation;

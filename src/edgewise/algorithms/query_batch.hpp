@@ -6,6 +6,7 @@
 // solves, go one after the other, while the memory of later queries is being fetched.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <concepts>
 #include <cstddef>
@@ -132,6 +133,7 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         ClosestOfSimplex<Scalar> closest;
         closest.weight = answer.weight;
         closest.point = answer.closest;
+        if (!reaches_closest(simplex, closest, simplex.size())) return ask(number);
         const Distance found = gjk_answer(simplex, closest, Status::separated, answer.steps);
         query.pair->hold(*query.a, *query.b, simplex, found.distance);
         answers_[number] = within(options_, found);
@@ -156,6 +158,12 @@ class GjkBatch final : public LaneSource<ComputeOf<TableA>> {
         [[nodiscard]] auto vertex_b(int i) const { return b[i]; }
         [[nodiscard]] const Vec3<Scalar>& on_a(int i) const { return points_a[i]; }
         [[nodiscard]] const Vec3<Scalar>& on_b(int i) const { return points_b[i]; }
+        /// Longest coordinate; a single query's, of all points that it met, is no smaller.
+        [[nodiscard]] Scalar size() const {
+            Scalar longest = 0;
+            for (int i = 0; i < count; ++i) longest = std::max({longest, max_abs(on_a(i)), max_abs(on_b(i))});
+            return longest;
+        }
     };
 
     struct InLane {

@@ -157,6 +157,11 @@ class SimplexPair {
         corners_.set_note(note_of(a, b, count, static_cast<float>(distance)));
     }
 
+    /// Changes the distance alone.
+    void set_distance(double distance) {
+        corners_.set_note(half_of(static_cast<float>(distance)) | low_word());
+    }
+
     /// Compares the vertices, the tables and the distance.
     [[nodiscard]] bool operator==(const SimplexPair& other) const {
         if (corners_.note() != other.corners_.note()) return false;
@@ -173,12 +178,14 @@ class SimplexPair {
     [[nodiscard]] static std::uint32_t tables_of(const TableA& a, const TableB& b) {
         return identity_of(a, b) << 3;
     }
-    /// Packs the note. Upper half of the distance's 32 bits, with eight binary digits: enough to detect large
-    /// motion.
+    /// The distance in a note: the upper half of its 32 bits, with eight binary digits, enough to detect
+    /// large motion.
+    [[nodiscard]] static std::uint64_t half_of(float distance) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(distance) >> 16} << 32;
+    }
     [[nodiscard]] static std::uint64_t note_of(const TableA& a, const TableB& b, std::uint32_t count,
                                                float distance) {
-        const std::uint64_t half = std::bit_cast<std::uint32_t>(distance) >> 16;
-        return half << 32 | tables_of(a, b) | count;
+        return half_of(distance) | tables_of(a, b) | count;
     }
     [[nodiscard]] std::uint32_t low_word() const { return static_cast<std::uint32_t>(corners_.note()); }
 

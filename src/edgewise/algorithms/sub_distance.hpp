@@ -59,14 +59,6 @@ class SubDistance {
         return squared < close * close;
     }
 
-    /// Returns true if the weights' point of the simplex is as near to the origin as the closest point says.
-    /// The foot on the plane of a triangle may lie outside the triangle.
-    [[nodiscard]] bool reaches_closest() const {
-        Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
-        for (int i = 0; i < simplex_.count; ++i) weighted += closest_.weight[i] * simplex_.difference[i];
-        return norm(weighted) <= norm(closest_.point) + Tolerance<Scalar>::support_noise * simplex_.size;
-    }
-
     /// Solves a close simplex again, and from now on every close one, in wider arithmetic. False if that is
     /// done already.
     [[nodiscard]] [[gnu::noinline]] bool solve_close_in_wide() {

@@ -107,4 +107,16 @@ struct ClosestOfSimplex {
     }
 };
 
+/// Returns true if the weights' point of a simplex, on_a(i) - on_b(i) of `count` points, is as near to the
+/// origin as the closest point, but for the rounding of coordinates up to `size`. The foot on the plane of a
+/// triangle may lie outside the triangle.
+template <class Points, class Scalar>
+[[nodiscard]] bool reaches_closest(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
+                                   Scalar size) {
+    Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
+    for (int i = 0; i < simplex.count; ++i)
+        weighted += closest.weight[i] * Vec3<Scalar>(simplex.on_a(i) - simplex.on_b(i));
+    return norm(weighted) <= norm(closest.point) + Tolerance<Scalar>::support_noise * size;
+}
+
 }  // namespace edgewise

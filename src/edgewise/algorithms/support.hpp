@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 #include "edgewise/geometry/pack.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -57,14 +58,28 @@ concept CountedTable = ClimbingTable<Table> && requires {
 /// at 26, 0.97 / 0.94 at 38, 1.01 / 0.95 at 56; aos_f64 0.88 / 0.91, 0.93 / 0.95, 1.0 / 0.97, 1.03 / 0.98;
 /// singles the same. So bodies that fit a batch's lanes (lanes/lane_source.hpp), which scan, are scanned. One
 /// by one, as a list makes it, climbing took 0.89 of scanning at 8 vertices and 0.67 at 38, on a Zen 5.
+inline constexpr std::size_t most_scanned = 64;
 template <class Table>
-inline constexpr std::size_t scan_below = CountedTable<Table> ? 65 : 8;
+inline constexpr std::size_t scan_below = CountedTable<Table> ? most_scanned + 1 : 8;
 
 /// Vertices below which a scan is used from a cold start, where branch prediction fails on every climbing
 /// step. Scanning over climbing: lean_f64 0.77 at 38 vertices and 0.97 at 60, lean_f32 0.74 and 0.85, aos_f64
 /// 0.86 and 1.0; with a seed (lean_seeds) 0.88 and 1.0. One by one 0.69 to 0.80 at 8, 0.83 at 18, 1.02 at 38.
 template <class Table>
 inline constexpr std::size_t scan_cold_below = CountedTable<Table> ? 65 : 32;
+
+/// Heights of a pack of vertices, of the last one in place of those behind it.
+template <CountedTable Table, class Number>
+[[gnu::always_inline]] inline void heights_from(const Table& table, const Vec3<Number>& direction,
+                                                std::size_t first, typename Pack<Number>::Numbers& to) {
+    const std::size_t last = table.vertex_count() - 1;
+    Pack<Number>::fill(
+        [&](std::size_t lane) __attribute__((always_inline)) {
+            const auto v = static_cast<typename Table::Vertex>(std::min(first + lane, last));
+            return dot(cast<Number>(table.vertex(v)), direction);
+        },
+        to);
+}
 
 /// Scans a pack of vertices at a time, the last ones perhaps twice: each lane keeps its highest, and at the
 /// end the first vertex with the highest value of all wins, as in scan_any. No processor can predict which
@@ -74,19 +89,11 @@ template <CountedTable Table>
     using Vertex = typename Table::Vertex;
     using Of = Pack<ComputeOf<Table>>;
     const std::size_t count = table.vertex_count();
-    const auto height = [&](std::size_t v) __attribute__((always_inline)) {
-        return dot(table.vertex(static_cast<Vertex>(std::min(v, count - 1))), direction);
-    };
-    const auto heights_from = [&](std::size_t first, typename Of::Numbers & to)
-        __attribute__((always_inline)) {
-        Of::fill(
-            [&](std::size_t lane) __attribute__((always_inline)) { return height(first + lane); }, to);
-    };
     typename Of::Numbers heights;
-    heights_from(0, heights);
+    heights_from(table, direction, 0, heights);
     HighestOfPacks<ComputeOf<Table>> highest(heights);
     for (std::size_t first = Of::size; first < count; first += Of::size) {
-        heights_from(first, heights);
+        heights_from(table, direction, first, heights);
         highest.take(heights, first);
     }
     const auto vertex = static_cast<Vertex>(highest.first_highest(count - 1));
@@ -249,6 +256,47 @@ template <SupportTable Table>
             return climb_support(table, direction, start);
     }
     return scan_support(table, direction);
+}
+
+/// Returns true if all vertices can be looked at in the time of a climb.
+template <SupportTable Table>
+[[nodiscard]] bool is_small(const Table& table) {
+    if constexpr (requires { table.vertex_count(); })
+        return table.vertex_count() <= most_scanned;
+    else
+        return false;
+}
+
+/// Height of the farthest vertex, by a scan. A layout that can scan faster defines a member of this name.
+template <SupportTable Table, class Number>
+[[nodiscard]] Number scan_height(const Table& table, const Vec3<Number>& direction) {
+    if constexpr (requires { table.scan_height(direction); }) {
+        return table.scan_height(direction);
+    } else if constexpr (CountedTable<Table> && pack_bytes > 0) {
+        typename Pack<Number>::Numbers greatest, heights;
+        heights_from(table, direction, 0, greatest);
+        for (std::size_t first = Pack<Number>::size; first < table.vertex_count();
+             first += Pack<Number>::size) {
+            heights_from(table, direction, first, heights);
+            greatest = heights > greatest ? heights : greatest;
+        }
+        return Pack<Number>::greatest(greatest);
+    } else {
+        Number greatest = -std::numeric_limits<Number>::infinity();
+        for (const auto v : table.all_vertices())
+            greatest = std::max(greatest, dot(cast<Number>(table.vertex(v)), direction));
+        return greatest;
+    }
+}
+
+/// Height of the farthest vertex along a direction, in the direction's scalar: small bodies are scanned, on
+/// large ones a climb begins at `start`, if it computes as precisely.
+template <SupportTable Table, class Number>
+[[nodiscard]] Number greatest_height(const Table& table, const Vec3<Number>& direction,
+                                     typename Table::Vertex start) {
+    if constexpr (std::is_same_v<Number, ComputeOf<Table>>)
+        if (!is_small(table)) return support(table, direction, start).along;
+    return scan_height(table, direction);
 }
 
 /// The support point from a cold start, far from the top: climbs from the table's seed, if that is farther

@@ -97,7 +97,7 @@ enum class End : std::uint8_t {
     cycled,
 };
 
-/// The answer of a run that ended, or the fallback's answer where it is not trusted.
+/// The answer of a run that ended; where it is not trusted, that of its features' corners or the fallback's.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
                                 End end) {
@@ -105,12 +105,14 @@ template <class TableA, class TableB, class Observer>
     const bool is_number = std::isfinite(result.distance);
     const bool is_cycle = end == End::cycled;
     const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
-    if (verdict != Trust::sound) {
+    if (verdict == Trust::sound) return result;
+    const bool are_closest = answer_by_corners(a, b, result);
+    if (!are_closest) {
         observer.ask_gjk();
         result = answer_by_gjk(a, b);
     }
-    result.fallbacks = verdict == Trust::doubted;
-    result.refinements = verdict == Trust::close;
+    result.fallbacks = !are_closest && verdict == Trust::doubted;
+    result.refinements = verdict == Trust::close || (are_closest && is_cycle);
     return result;
 }
 

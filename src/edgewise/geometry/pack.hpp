@@ -67,14 +67,18 @@ struct Pack {
         to += first;
     }
 
+    /// Returns the greatest of the lanes' numbers.
+    [[nodiscard]] [[gnu::always_inline]] static Scalar greatest(Numbers numbers) {
+        fold(
+            numbers, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b > a ? b : a; });
+        return numbers[0];
+    }
+
     /// Returns the lowest `where` among the lanes that hold the highest number. Returns the largest word that
     /// there is if a number is NaN.
     [[nodiscard]] [[gnu::always_inline]] static Word first_of_highest(const Numbers& numbers,
                                                                       const Words& where) {
-        Numbers highest = numbers;
-        fold(
-            highest, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b > a ? b : a; });
-        Words first = numbers == highest ? where : Words{} + std::numeric_limits<Word>::max();
+        Words first = numbers == greatest(numbers) ? where : Words{} + std::numeric_limits<Word>::max();
         fold(
             first, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b < a ? b : a; });
         return first[0];

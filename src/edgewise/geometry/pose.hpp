@@ -56,9 +56,9 @@ struct Transform {
     return result;
 }
 
-template <class Scalar>
-[[nodiscard]] Transform<Scalar> cast(const Transform<double>& t) {
-    return {t.rotation.template cast<Scalar>(), t.translation.template cast<Scalar>()};
+template <class To, class From>
+[[nodiscard]] Transform<To> cast(const Transform<From>& t) {
+    return {t.rotation.template cast<To>(), t.translation.template cast<To>()};
 }
 
 /// Distance of R from orthogonal: the largest entry of |R^T R - I|.

@@ -33,9 +33,13 @@ struct Tolerance {
     /// careful way.
     static constexpr Scalar fair_crossing = Scalar(1) / 256;
 
-    /// GJK, relative to |v| max|w|: the rounding noise of the support products; a duality gap below it cannot
-    /// be improved.
+    /// GJK, relative to |v| max|w|: the rounding noise of the support products.
     static constexpr Scalar support_noise = 4 * eps;
+
+    /// GJK, relative to |v| max|w|: the duality gap that an answer may leave open: that noise in double, half
+    /// of it in single, since thin boxes were off by up to six steps otherwise, and doubles, which compute
+    /// again what remains open, cost little.
+    static constexpr Scalar open_gap = (eps < Scalar(1e-10) ? 4 : 2) * eps;
 
     /// Support climbing, relative to |direction| and the largest coordinate: vertices that differ by less in
     /// height may be as high as each other. Two heights of three products each, and how far a climbable body

@@ -31,8 +31,9 @@ Steps compare(const char* algorithm, const char* scene, double tolerance) {
         wrong += separated != (verdicts[i].status == Status::separated);
         steps.apart += separated;
         steps.within += !separated && whole[i].distance > 0;
+        // But for the rounding of coordinates, which are about 1.
         if (separated) {
-            EXPECT_GE(verdicts[i].distance, whole[i].distance * (1 - 1e-12)) << "an upper bound";
+            EXPECT_GE(verdicts[i].distance, whole[i].distance * (1 - 1e-12) - 2e-15) << "an upper bound";
         }
         steps.whole += static_cast<std::uint64_t>(whole[i].steps);
         steps.verdict += static_cast<std::uint64_t>(verdicts[i].steps);

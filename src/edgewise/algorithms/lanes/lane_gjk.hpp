@@ -66,15 +66,18 @@ class LaneGjk {
 
     [[nodiscard]] [[gnu::always_inline]] Ends ends(const Vector& v, const Number& squared,
                                                    const Number& reach, const Mask& held) const {
-        const Number noise = Tolerance<Scalar>::support_noise * square_root<Scalar, n>(squared) * lanes_.size;
+        const Number length = square_root<Scalar, n>(squared) * lanes_.size;
+        const Number noise = Tolerance<Scalar>::support_noise * length;
         const Mask separates = reach > noise;
         Mask verdict{};
         if (verdict_only_) verdict = reach - noise > square_root<Scalar, n>(contact_squared_ * squared);
         const Mask touching = (max_abs(v) <= Tolerance<Scalar>::contact_noise * lanes_.size) & ~separates;
-        const Mask none_left = verdict | held | (squared - reach <= larger(noise, Number(gap_ * squared)));
-        const Mask doubted = ~lanes_.starts & ((squared <= contact_squared_) | (none_left & touching) |
-                                               (lanes_.steps > most_steps));
-        return {none_left & ~doubted & ~lanes_.starts & lanes_.is_active, doubted};
+        const Mask decided =
+            verdict |
+            (squared - reach <= larger(Number(Tolerance<Scalar>::open_gap * length), Number(gap_ * squared)));
+        const Mask doubted = ~lanes_.starts & ((squared <= contact_squared_) | (decided & touching) |
+                                               (held & ~decided) | (lanes_.steps > most_steps));
+        return {decided & ~doubted & ~lanes_.starts & lanes_.is_active, doubted};
     }
 
     /// Takes the answers of the ended lanes; the start of their next queries stays until all step again.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The fallback when a run comes back to a pair it has seen, or ends at one that rounding may have chosen: GJK
-// on the same tables, which needs no Voronoi planes, from the corners of the features where the run stopped.
-// Its simplex is turned back into features, so that the next query starts near.
+// Answers a run that came back to a pair it has seen, or ended at one that rounding may have chosen. First
+// the corners of its features are tried, which are kept if they provably hold the closest points
+// (kept_simplex.hpp). Else GJK answers, on the same tables, without Voronoi planes, from these corners; its
+// simplex is turned back into features, so that the next query starts near.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <span>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/kept_simplex.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/table/feature_handle.hpp"
 
@@ -84,6 +86,68 @@ template <class Table>
         }
     }
     return Feature<Table>::of_vertex(first);
+}
+
+/// Looks for the triangle of a face's fan over which the other body's vertex lies; push(v) adds the pair of a
+/// corner and that vertex. Only the first triangles are tried.
+template <class Kept, class Table, class Push>
+[[nodiscard]] bool rests_on_face(Kept& kept, const Body<Table>& body, const Push& push) {
+    std::array<typename Table::Vertex, 4> corners;
+    const std::uint32_t count = corners_of(body.table, body.feature, corners);
+    for (std::uint32_t i = 2; i < count; ++i) {
+        kept.clear();
+        push(corners[0]);
+        push(corners[i - 1]);
+        push(corners[i]);
+        if (kept.rests_on_all()) return true;
+    }
+    return false;
+}
+
+/// Looks for the half of the parallelogram of two edges that holds the closest point.
+template <class Kept, class TableA, class TableB>
+[[nodiscard]] bool rests_on_edges(Kept& kept, const Body<TableA>& a, const Body<TableB>& b) {
+    const auto tail_a = a.table.tail(a.feature.edge()), head_a = a.table.head(a.feature.edge());
+    const auto tail_b = b.table.tail(b.feature.edge()), head_b = b.table.head(b.feature.edge());
+    for (const bool first : {true, false}) {
+        kept.clear();
+        kept.push(tail_a, tail_b);
+        kept.push(head_a, head_b);
+        kept.push(first ? head_a : tail_a, first ? tail_b : head_b);
+        if (kept.rests_on_all()) return true;
+    }
+    return false;
+}
+
+/// Returns true if the closest point rests on corners of both features, up to three pairs, which `kept` then
+/// holds.
+template <class Kept, class TableA, class TableB>
+[[nodiscard]] bool rests_on_features(Kept& kept, const Body<TableA>& a, const Body<TableB>& b) {
+    using enum FeatureKind;
+    if (a.feature.kind() == face)
+        return rests_on_face(kept, a, [&](auto v) { kept.push(v, b.feature.vertex()); });
+    if (b.feature.kind() == face)
+        return rests_on_face(kept, b, [&](auto v) { kept.push(a.feature.vertex(), v); });
+    if (a.feature.kind() == edge && b.feature.kind() == edge) return rests_on_edges(kept, a, b);
+    const auto corners = feature_simplex(a.table, a.feature, b.table, b.feature);
+    for (std::uint32_t i = 0; i < corners.count(); ++i) kept.push(corners.corner(i).a, corners.corner(i).b);
+    return kept.rests_on_all();
+}
+
+/// Answers by corners of both features, which then stay; false if that is not proven.
+template <class TableA, class TableB>
+[[nodiscard]] EDGEWISE_QUERY_LOOP bool answer_by_corners(const Body<TableA>& a, const Body<TableB>& b,
+                                                         Distance& answer) {
+    const auto is_no_state = [](FeatureKind kind, FeatureKind other) {
+        return kind == FeatureKind::face && other != FeatureKind::vertex;
+    };
+    if (is_no_state(a.feature.kind(), b.feature.kind()) || is_no_state(b.feature.kind(), a.feature.kind()))
+        return false;
+    return ask_kept_simplex(a.table, b.table, a.from_other, [&](auto& kept) {
+        if (!rests_on_features(kept, a, b) || !kept.is_proven({})) return false;
+        answer = gjk_answer(kept, kept.closest(), Status::separated, 0);
+        return true;
+    });
 }
 
 template <class TableA, class TableB>

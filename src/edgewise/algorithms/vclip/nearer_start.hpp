@@ -8,9 +8,22 @@
 
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
-#include "edgewise/algorithms/vclip/proof.hpp"
 
 namespace edgewise::vclip {
+
+/// Returns a vertex of the feature: the start of a search for one that lies farther.
+template <class Table>
+[[nodiscard]] typename Table::Vertex vertex_on(const Body<Table>& body) {
+    switch (body.feature.kind()) {
+        case FeatureKind::vertex:
+            return body.feature.vertex();
+        case FeatureKind::edge:
+            return body.table.tail(body.feature.edge());
+        case FeatureKind::face:
+            break;
+    }
+    return body.table.tail((*body.table.ring_of_face(body.feature.face()).begin()).edge);
+}
 
 /// A warm run over tables with seeds that has not ended by this step counts as started far off. Time of
 /// lean_seeds_f64 over that with 4, a Zen 3 with other load, 0.1 / 1 rad per step / in any pose: 0.98 / 1.03

@@ -17,7 +17,6 @@
 #include "edgewise/algorithms/answerable.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
-#include "edgewise/algorithms/vclip/proof.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise::vclip {
@@ -25,8 +24,8 @@ namespace edgewise::vclip {
 /// Decision about the answer of a run that ended without a cycle.
 enum class Trust : std::uint8_t {
     sound,    ///< it is kept
-    doubted,  ///< not proven: the fallback answers, from the run's last features
-    close,    ///< right up to rounding, which may exceed it: the fallback answers, as a refinement
+    doubted,  ///< not proven: its corners are to prove it, or the fallback answers
+    close,    ///< right up to rounding, which may exceed it: it is computed again, as a refinement
 };
 
 /// Times the size: below this distance the direction between closest points cannot be trusted.
@@ -84,8 +83,7 @@ template <class TableA, class TableB>
 }
 
 /// Decides about any answer. On a body that is not strictly convex a feature's region continues under the
-/// surface, and nothing is trusted without proof: `proven`, by the corners next to the features, or here.
-/// This proof is as accurate as the direction between the points, so no proof for close ones.
+/// surface, and nothing is trusted without proof: `proven`, by the corners next to the features, or later.
 template <class TableA, class TableB>
 [[nodiscard]] Trust trust(Distance& result, const Body<TableA>& a, const Body<TableB>& b, bool proven) {
     if (result.status == Status::overlapping) return Trust::sound;
@@ -96,9 +94,9 @@ template <class TableA, class TableB>
     }
     const double offset{max_abs(a.from_other.translation)};
     const double size = std::max({offset, a.table.reach(), b.table.reach()});
-    if (result.distance > untrusted<TableA, TableB> * size)
-        return holds || is_proven(result, a, b) ? Trust::sound : Trust::doubted;
-    return holds ? trust_close(result, size, a, b) : Trust::close;
+    const bool is_far = result.distance > untrusted<TableA, TableB> * size;
+    if (!holds) return is_far ? Trust::doubted : Trust::close;
+    return is_far ? Trust::sound : trust_close(result, size, a, b);
 }
 
 }  // namespace edgewise::vclip

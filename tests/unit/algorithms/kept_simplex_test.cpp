@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+//
+// What proves that up to three pairs of vertices hold the closest points: it proves those with which GJK
+// ends, and of vertices chosen at random nothing that is not so.
+#include "edgewise/algorithms/kept_simplex.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/layouts/points_soa.hpp"
+#include "edgewise/scene/motion.hpp"
+#include "edgewise/scene/rng.hpp"
+#include "edgewise/truth/exact_distance.hpp"
+
+namespace edgewise {
+namespace {
+
+using Table = points_soa<f64>;
+
+Polyhedron random_hull(scene::Rng& rng) {
+    std::vector<Vec3d> points;
+    for (int i = 0; i < 12; ++i) points.push_back(rng.on_sphere());
+    return convex_hull(points).or_throw();
+}
+
+/// Two bodies near each other, and their exact distance.
+struct Case {
+    Polyhedron body_a, body_b;
+    Table a, b;
+    Transform<double> pose;
+    double exact;
+
+    explicit Case(scene::Rng& rng)
+        : body_a(random_hull(rng)),
+          body_b(random_hull(rng)),
+          a(body_a, Parts::support),
+          b(body_b, Parts::support),
+          pose{rng.rotation(), (2 + std::pow(10.0, rng.uniform(-3, 0.5))) * rng.on_sphere()},
+          exact(truth::exact_distance(body_a.vertices, Pose{}, body_b.vertices,
+                                      {pose.rotation, pose.translation})
+                    .or_throw()
+                    .distance) {}
+
+    [[nodiscard]] double error(const KeptSimplex<Table, Table, double>& kept) const {
+        return std::abs(std::sqrt(squared_norm(kept.closest().point)) - exact) / kept.size();
+    }
+};
+
+TEST(KeptSimplex, ProvesWhereGjkEnds) {
+    scene::Rng rng(11);
+    std::array<int, 4> asked{}, proven{};
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Case at(rng);
+        SimplexPair<Table, Table> pair(at.a, at.b);
+        if (Gjk::query(at.a, at.b, at.pose, pair).status != Status::separated) continue;
+        KeptSimplex<Table, Table, double> kept(at.a, at.b, at.pose);
+        for (std::uint32_t k = 0; k < pair.count(); ++k) kept.push(pair.corner(k).a, pair.corner(k).b);
+        ++asked[pair.count()];
+        if (!kept.rests_on_all() || !kept.is_proven({})) continue;
+        ++proven[pair.count()];
+        worst = std::max(worst, at.error(kept));
+    }
+    std::printf("proven %d of %d points, %d of %d edges, %d of %d triangles, worst error %.2g\n", proven[1],
+                asked[1], proven[2], asked[2], proven[3], asked[3], worst);
+    for (const std::size_t count : {1U, 2U, 3U}) {
+        EXPECT_GT(asked[count], 100);
+        EXPECT_GE(proven[count], 0.99 * asked[count]);
+    }
+    EXPECT_LE(worst, 8 * Tolerance<double>::eps);
+}
+
+/// Vertices of the answer at a pose turned by up to a radian, or random ones.
+std::vector<VertexPair<Table, Table>> corners_nearby(const Case& at, scene::Rng& rng) {
+    std::vector<VertexPair<Table, Table>> corners;
+    if (rng.below(2) == 0) {
+        const double angle = std::pow(10.0, rng.uniform(-3, 0));
+        const Mat3d turn = rotation_matrix(scene::rotation_about(rng.on_sphere(), angle));
+        SimplexPair<Table, Table> pair(at.a, at.b);
+        static_cast<void>(
+            Gjk::query(at.a, at.b, {Mat3d(at.pose.rotation * turn), at.pose.translation}, pair));
+        for (std::uint32_t k = 0; k < std::min(pair.count(), 3U); ++k) corners.push_back(pair.corner(k));
+    }
+    while (corners.empty() || (corners.size() < 3 && rng.below(4) == 0))
+        corners.push_back({static_cast<Table::Vertex>(rng.below(at.a.vertex_count())),
+                           static_cast<Table::Vertex>(rng.below(at.b.vertex_count()))});
+    return corners;
+}
+
+TEST(KeptSimplex, ProvesNothingThatIsNotSo) {
+    scene::Rng rng(12);
+    int on_fewer = 0, unproven = 0, proven = 0;
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Case at(rng);
+        for (int turn = 0; turn < 10; ++turn) {
+            KeptSimplex<Table, Table, double> kept(at.a, at.b, at.pose);
+            for (const auto& [a, b] : corners_nearby(at, rng)) kept.push(a, b);
+            if (!kept.rests_on_all()) {
+                ++on_fewer;
+            } else if (!kept.is_proven({})) {
+                ++unproven;
+            } else {
+                ++proven;
+                worst = std::max(worst, at.error(kept));
+            }
+        }
+    }
+    std::printf("%d rest on fewer points, %d not proven, %d proven, worst error %.2g\n", on_fewer, unproven,
+                proven, worst);
+    EXPECT_GT(on_fewer, 1000);
+    EXPECT_GT(unproven, 1000);
+    EXPECT_GT(proven, 1000);
+    EXPECT_LE(worst, 8 * Tolerance<double>::eps);
+}
+
+/// Three points of a difference: those of a body and the origin.
+struct Triangle {
+    int count = 3;
+    SmallArray<Vec3d, 3> corners;
+    [[nodiscard]] Vec3d on_a(int i) const { return corners[i]; }
+    [[nodiscard]] static Vec3d on_b(int /*i*/) { return Vec3d::Zero(); }
+};
+
+/// The plane of a sliver may pass nearer to the origin than the sliver.
+TEST(ReachesClosest, IsFalseForAFootOutsideTheTriangle) {
+    Triangle sliver;
+    sliver.corners = {Vec3d(1, 0, 1), Vec3d(2, 0, 1), Vec3d(1.5, 1e-8, 1 + 1e-9)};
+    ClosestOfSimplex<double> closest;
+    closest.weight = {1, 0, 0, 0};
+    closest.point = sliver.corners[0];
+    EXPECT_TRUE(reaches_closest(sliver, closest, 2.0));
+    const Vec3d normal =
+        cross(Vec3d(sliver.corners[1] - sliver.corners[0]), Vec3d(sliver.corners[2] - sliver.corners[0]));
+    closest.point = (dot(normal, sliver.corners[0]) / squared_norm(normal)) * normal;
+    EXPECT_FALSE(reaches_closest(sliver, closest, 2.0));
+}
+
+}  // namespace
+}  // namespace edgewise
