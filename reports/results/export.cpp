@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
@@ -29,19 +30,12 @@ bool names_one(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-std::string joined(const std::set<std::string>& names) {
-    std::string line;
-    for (const std::string& name : names) line += (line.empty() ? "" : ", ") + name;
-    return line;
-}
-
 /// Every wanted name must be one of the store's.
 void check_names(const std::vector<std::string>& wanted, const std::set<std::string>& there,
                  const char* what) {
     for (const std::string& name : wanted)
         if (!there.contains(name))
-            throw std::runtime_error(
-                fmt::format("no {} '{}' in the store; it has: {}", what, name, joined(there)));
+            throw std::runtime_error(unknown_name(what, name, {there.begin(), there.end()}));
 }
 
 void check_choice(const ReportData& data, const ExportChoice& choice) {
@@ -50,8 +44,8 @@ void check_choice(const ReportData& data, const ExportChoice& choice) {
         scenes.insert(cell->scene);
         layouts.insert({cell->layout, cell->layout + "_" + cell->precision, cell->table});
     }
-    check_names(choice.scenes, scenes, "scene");
-    check_names(choice.layouts, layouts, "layout or table type");
+    check_names(choice.scenes, scenes, "scene of the store");
+    check_names(choice.layouts, layouts, "layout or table type of the store");
 }
 
 bool is_chosen(const ReportCell& cell, const ExportChoice& choice) {

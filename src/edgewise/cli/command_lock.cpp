@@ -34,18 +34,6 @@ scene::NamedShape shape_of(const LockArguments& options) {
     return {name, scene::names_mesh_file(name) ? name : "built-in", std::move(body.body), {}};
 }
 
-const bench::TableType& type_named(const LockArguments& options) {
-    const std::string names[] = {options.cell.table};
-    const auto types = bench::select_table_types(names);
-    if (types.size() > 1)
-        throw std::invalid_argument(fmt::format("'{}' names several table types; name one, such as '{}'",
-                                                options.cell.table, types.front()->name));
-    if (!types.front()->serves(options.cell.algorithm))
-        throw std::invalid_argument(
-            fmt::format("{} does not serve {}", options.cell.table, options.cell.algorithm));
-    return *types.front();
-}
-
 std::vector<measure::ComponentBytes> bytes_of(const bench::Runner& runner) {
     const Ledger ledger = runner.ledger();
     std::vector<measure::ComponentBytes> bytes;
@@ -76,25 +64,18 @@ measure::Conditions conditions(const LockArguments& options, const Polyhedron& s
 }
 
 measure::FigureRecord lock_of(const LockArguments& options) {
-    const bench::TableType& type = type_named(options);
     const std::vector<measure::CacheMachine> machines = measure::described_machines(options.machines);
-    sweep::Plan plan;
-    plan.queries = options.cell.queries;
-    plan.seed = options.cell.seed;
-    const sweep::SharedQueries queries(plan, {options.cell.scene, options.cell.parameters},
-                                       shape_of(options));
-    const auto runner = type.make_runner(options.cell.algorithm);
-    runner->configure({});
-    if (const std::string error = runner->load(queries.workload()); !error.empty())
-        throw std::invalid_argument(error);
+    studies::CellChoice choice = options.cell;
+    choice.body = shape_of(options);
+    const studies::SingleCell cell(choice);
     const auto pass = [&](measure::TraceListener& listener) {
-        static_cast<void>(runner->trace(bench::TraceExtent::everything(), listener));
+        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), listener));
     };
     const auto fields = bench::field_names();
-    measure::LayoutFacts facts = measure::measure_layout(
-        pass, machines, std::vector<std::string>(fields.begin(), fields.end()), bench::step_names().size());
-    facts.bytes = bytes_of(*runner);
-    return measure::lock_of(facts, conditions(options, runner->stored_bodies()[0]));
+    measure::LayoutFacts facts =
+        measure::measure_layout(pass, machines, {fields.begin(), fields.end()}, bench::step_names().size());
+    facts.bytes = bytes_of(cell.runner());
+    return measure::lock_of(facts, conditions(options, cell.runner().stored_bodies()[0]));
 }
 
 std::uint64_t number_in(const measure::FigureRecord& lock, const char* name, const std::string& file) {

@@ -109,65 +109,11 @@ FigureRecord record_in(const Json& json, std::string_view kind) {
     return record;
 }
 
-std::string text_of(const Json& json) { return json.is_string() ? json.get<std::string>() : json.dump(); }
-
-/// A baseline of speed as version 0.1 wrote it: a list of ratios.
-Json from_gate(const Json& old) {
-    refuse_unknown(old, "a baseline", {"gate", "machine", "build", "rounds", "queries", "slack", "entries"});
-    Json cells = Json::object(), with = Json::object();
-    for (const Json& entry : old.at("entries")) {
-        refuse_unknown(entry, "an entry",
-                       {"algorithm", "table", "scene", "shape", "axes", "over", "ratio", "low", "high"});
-        std::string cell = entry.at("algorithm").get<std::string>();
-        for (const char* part : {"table", "scene", "shape", "axes"})
-            if (const auto word = entry.at(part).get<std::string>(); !word.empty()) cell += " " + word;
-        const auto over = entry.at("over").get<std::string>();
-        if (over != "reference" && over != "kernel")
-            throw RecordFault{fmt::format("over: unknown ratio '{}'; known: reference, kernel", over)};
-        cells[cell]["time over " + over] = {entry.at("low"), entry.at("ratio"), entry.at("high")};
-    }
-    with["machine"] = text_of(old.at("machine"));
-    refuse_unknown(old.at("build"), "a build", {"git_revision", "compiler", "flags", "build_type"});
-    for (const auto& [part, value] : old.at("build").items()) with[part] = text_of(value);
-    with["rounds"] = text_of(old.at("rounds"));
-    return {{"edgewise_record", "speed"},
-            {"of", {{"queries", text_of(old.at("queries"))}}},
-            {"with", with},
-            {"slack", old.at("slack")},
-            {"cells", cells}};
-}
-
-/// A machine record as version 0.1 wrote it: a list of cells.
-Json from_machine(const Json& old) {
-    refuse_unknown(old, "a machine record",
-                   {"edgewise_machine_record", "machine", "times", "cpu", "caches", "rows"});
-    Json cells = Json::object(), with = Json::object();
-    for (const Json& row : old.at("rows")) {
-        refuse_unknown(
-            row, "a row",
-            {"scene", "parameters", "shape", "algorithm", "table", "ratio", "low", "high", "bytes_per_edge"});
-        // Names of parameters in alphabetical order, as stores have them.
-        const std::string parameters = nlohmann::json::parse(row.at("parameters").dump()).dump();
-        Json& figures =
-            cells[row.at("scene").get<std::string>() + " " + parameters + " " +
-                  row.at("shape").get<std::string>() + " " + row.at("algorithm").get<std::string>() + " " +
-                  row.at("table").get<std::string>()];
-        figures["time ratio"] = {row.at("low"), row.at("ratio"), row.at("high")};
-        if (!row.at("bytes_per_edge").is_null()) figures["bytes per edge"] = row.at("bytes_per_edge");
-    }
-    with["machine"] = text_of(old.at("machine"));
-    with["times"] = text_of(old.at("times"));
-    for (const auto& [name, value] : old.at("cpu").items()) with["cpu." + name] = text_of(value);
-    for (const Json& cache : old.at("caches"))
-        with["cache." + text_of(cache.at("level"))] = text_of(cache.at("bytes")) + " bytes";
-    return {{"edgewise_record", "machine"}, {"with", with}, {"cells", cells}};
-}
-
-/// In the form of today. Throws nlohmann::json::exception where an old record is not whole.
+/// A lock of version 0.1 in the form of today; other records of that version are refused.
 Json in_this_form(const Json& json) {
     const auto is_old = [&](const char* name) { return json.is_object() && json.value(name, Json()) == 1; };
-    if (is_old("gate")) return from_gate(json);
-    if (is_old("edgewise_machine_record")) return from_machine(json);
+    if (is_old("gate") || is_old("edgewise_machine_record"))
+        throw RecordFault{"a record of version 0.1, whose form is no longer read: write it again"};
     if (!is_old("edgewise_lock")) return json;
     Json lock = {{"edgewise_record", "lock"}};
     for (const auto& [name, value] : json.items())
@@ -200,8 +146,6 @@ FigureRecord parse_record(const std::string& json, const std::string& file, std:
         return record_in(in_this_form(*parsed), kind);
     } catch (const RecordFault& fault) {
         throw std::runtime_error(fmt::format("{}: {}", file, fault.text));
-    } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(file + ": a record of an earlier version, and not whole; write it again");
     }
 }
 

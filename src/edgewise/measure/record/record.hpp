@@ -10,7 +10,7 @@
 //      "figures": {"bytes.nodes.point": 12000},
 //      "cells": {"gjk lean_f64 cold cube8": {"time over reference": [0.51, 0.52, 0.55]}}}
 //
-// Every member but the first is optional. Files of the forms that earlier versions wrote are read too.
+// Every member but the first is optional. Locks in the form that version 0.1 wrote are read too.
 #pragma once
 
 #include <optional>
