@@ -153,18 +153,6 @@ std::optional<FirstPlace> first_place(const FigureRecord& record, const std::str
     return first;
 }
 
-std::vector<std::string> questions_of(std::span<const FigureRecord> records) {
-    std::vector<std::string> questions;
-    for (const FigureRecord& record : records) {
-        for (const RecordRow& row : record.rows) {
-            const std::string question = question_of(row);
-            if (row.figure != ratio_figure) continue;
-            if (std::ranges::find(questions, question) == questions.end()) questions.push_back(question);
-        }
-    }
-    return questions;
-}
-
 std::vector<std::string> first_on_all(const ComparedQuestion& compared) {
     std::map<std::string, std::size_t> times;
     std::size_t asked = 0;
@@ -204,11 +192,15 @@ std::string place_text(const std::optional<FirstPlace>& place) {
 
 std::vector<ComparedQuestion> compare_records(std::span<const FigureRecord> records) {
     std::vector<ComparedQuestion> result;
-    for (const std::string& question : questions_of(records)) {
-        ComparedQuestion compared{question, {}, {}};
-        for (const FigureRecord& record : records) compared.machines.push_back(first_place(record, question));
+    for (const FigureRecord& record : records)
+        for (const RecordRow& row : record.rows)
+            if (row.figure == ratio_figure &&
+                std::ranges::find(result, question_of(row), &ComparedQuestion::question) == result.end())
+                result.push_back({question_of(row), {}, {}});
+    for (ComparedQuestion& compared : result) {
+        for (const FigureRecord& record : records)
+            compared.machines.push_back(first_place(record, compared.question));
         compared.first_everywhere = first_on_all(compared);
-        result.push_back(std::move(compared));
     }
     return result;
 }

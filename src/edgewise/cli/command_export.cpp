@@ -53,7 +53,7 @@ void add_export(CLI::App& app, Context& context) {
               "patterns such as 'time.*' or 'caches.*.step.*'; the main figures if not given");
     add_names(*command, "--scenes", options.choice.scenes, "only these scenes");
     add_layouts_option(*command, options.choice.layouts);
-    command->add_option("--format", options.format, "csv or json")
+    command->add_option("--format", options.format, "the format of what is printed")
         ->check(CLI::IsMember({"csv", "json"}))
         ->capture_default_str();
     CLI::Option* record =

@@ -89,25 +89,6 @@ std::string layouts_text(const Json& entries) {
     return text;
 }
 
-/// What is printed for people: a table no wider than a page, from the entries that --json prints.
-std::string list_text(const std::string& what, const Json& entries) {
-    static const std::map<std::string, const char*> tables = {
-        {"probes", "probe = name|what it measures = summary"},
-        {"algorithms", "algorithm = name|needs|what it is = summary"},
-        {"shapes", "shape = name|#vertices|#edges|#faces"},
-        {"families", "family = name|varies|breaks"},
-        {"axes", "axis = name|values|meaning"},
-        {"scene_files", "scene file = name|what it is for = note"},
-        {"figures", "figure = name|unit|meaning"}};
-    if (what == "scenes") return scenes_text(entries);
-    if (what == "machines") return machines_text(entries);
-    if (what == "plans") return plans_text(entries);
-    if (what == "layouts") return layouts_text(entries);
-    return rows_text(entries, tables.at(what));
-}
-
-using Json = nlohmann::json;
-
 /// One entry per layout, its precisions gathered.
 Json list_layouts() {
     Json result = Json::array();
@@ -214,12 +195,25 @@ Json list_figures() {
     return result;
 }
 
-const std::map<std::string, Json (*)()>& lists() {
-    static const std::map<std::string, Json (*)()> known = {
-        {"layouts", list_layouts},         {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes},        {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families},       {"axes", list_axes},        {"machines", list_machines},
-        {"scene_files", list_scene_files}, {"figures", list_figures}};
+struct List {
+    Json (*entries)();
+    const char* columns;                            ///< of its table for people
+    std::string (*text)(const Json& entries) = {};  ///< instead of a table
+};
+
+const std::map<std::string, List>& lists() {
+    static const std::map<std::string, List> known = {
+        {"layouts", {list_layouts, "", layouts_text}},
+        {"probes", {list_probes, "probe = name|what it measures = summary"}},
+        {"algorithms", {list_algorithms, "algorithm = name|needs|what it is = summary"}},
+        {"scenes", {list_of_scenes, "", scenes_text}},
+        {"shapes", {list_of_shapes, "shape = name|#vertices|#edges|#faces"}},
+        {"plans", {list_plans, "", plans_text}},
+        {"families", {list_families, "family = name|varies|breaks"}},
+        {"axes", {list_axes, "axis = name|values|meaning"}},
+        {"machines", {list_machines, "", machines_text}},
+        {"scene_files", {list_scene_files, "scene file = name|what it is for = note"}},
+        {"figures", {list_figures, "figure = name|unit|meaning"}}};
     return known;
 }
 
@@ -229,12 +223,13 @@ int run_list(const std::string& what, bool as_json) {
         for (const auto& [name, list] : lists()) names.push_back(name);
         throw std::invalid_argument(unknown_name("list", what, names));
     }
-    const Json entries = lists().at(what)();
+    const List& list = lists().at(what);
+    const Json entries = list.entries();
     if (as_json) {
         print_json(Json{{what, entries}});
         return exit_done;
     }
-    fmt::print("{}", list_text(what, entries));
+    fmt::print("{}", list.text ? list.text(entries) : rows_text(entries, list.columns));
     return exit_done;
 }
 

@@ -12,7 +12,6 @@
 #include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
-#include "edgewise/measure/record/comparison.hpp"
 
 namespace edgewise::cli {
 
@@ -21,7 +20,8 @@ namespace {
 struct LockArguments {
     studies::CellChoice cell;
     std::vector<std::string> machines = {"pentium3_coppermine", "zen5"};
-    std::string check;
+    std::vector<measure::Limit> limits;
+    std::string check, format;
 };
 
 /// A lock has this condition only if its mesh was read with --as-stored.
@@ -75,7 +75,10 @@ measure::FigureRecord lock_of(const LockArguments& options) {
     measure::LayoutFacts facts =
         measure::measure_layout(pass, machines, {fields.begin(), fields.end()}, bench::step_names().size());
     facts.bytes = bytes_of(cell.runner());
-    return measure::lock_of(facts, conditions(options, cell.runner().stored_bodies()[0]));
+    measure::FigureRecord lock =
+        measure::lock_of(facts, conditions(options, cell.runner().stored_bodies()[0]));
+    lock.limits = options.limits;
+    return lock;
 }
 
 std::uint64_t number_in(const measure::FigureRecord& lock, const char* name, const std::string& file) {
@@ -102,16 +105,29 @@ LockArguments options_of(const measure::FigureRecord& lock, const std::string& f
     return options;
 }
 
-int check_lock(const std::string& file, bool json) {
-    const measure::FigureRecord was = measure::read_record(file, "lock");
-    const measure::RecordComparison found = measure::compare(was, lock_of(options_of(was, file)));
-    fmt::print("{}", json ? to_json(found) : input::shown_text(to_text(found, file)));
-    return found.exit_code();
+/// Adds "misses_per_query.*=5%", a soft limit, or "bytes=12000", a hard one.
+void take_limit(std::string text, std::vector<measure::Limit>& limits) {
+    const bool soft = text.ends_with('%');
+    if (soft) text.pop_back();
+    scene::SceneParameters given;
+    take_parameter(text, given, "--limit");
+    const auto& [figures, number] = *given.begin();
+    measure::Limit& limit = limits.emplace_back();
+    limit.figures = figures;
+    (soft ? limit.soft : limit.hard) = soft ? number / 100 : number;
+}
+
+int check_lock(const LockArguments& options, bool json) {
+    const measure::FigureRecord was = measure::read_record(options.check, "lock");
+    return print_comparison(measure::compare(was, lock_of(options_of(was, options.check))), options.check,
+                            json, options.format);
 }
 
 int run_lock(const LockArguments& options, bool json) {
-    if (!options.check.empty()) return check_lock(options.check, json);
-    fmt::print("{}", measure::to_json(lock_of(options)));
+    if (!options.check.empty()) return check_lock(options, json);
+    const std::string text = measure::to_json(lock_of(options));
+    static_cast<void>(measure::parse_record(text, "--limit"));  // refuses a limit of no figure
+    fmt::print("{}", text);
     return exit_done;
 }
 
@@ -129,10 +145,20 @@ void add_lock(CLI::App& app, Context& context) {
         add_seed_option(*command, options.cell.seed),
         add_parameter_option(*command, options.cell.parameters),
         add_machines_option(*command, options.machines),
-        command->get_option("--as-stored")};
+        command->get_option("--as-stored"),
+        command
+            ->add_option_function<std::vector<std::string>>(
+                "--limit",
+                [&limits = options.limits](const std::vector<std::string>& texts) {
+                    for (const std::string& text : texts) take_limit(text, limits);
+                },
+                "how far figures may go: by 5% (else they are worse), or to 12000 (else exit code 3)")
+            ->type_name("FIGURE=LIMIT")};
     CLI::Option* const check =
         command->add_option("--check", options.check, "compare with this lock, of what it says itself");
     for (CLI::Option* option : of) check->excludes(option);
+    add_format_option(*command, options.format);
+    command->get_option("--format")->needs(check);
 }
 
 }  // namespace edgewise::cli

@@ -12,7 +12,6 @@
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/parts/figures_of_merit.hpp"
 #include "edgewise/cli/parts/sweep_parts.hpp"
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"

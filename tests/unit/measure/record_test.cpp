@@ -131,6 +131,57 @@ TEST(Record, WithSlackFailsWhereItBecameWorse) {
     EXPECT_TRUE(compare(speed, now).passed());
 }
 
+/// Limits of the old record decide before its other rules, each figure by the first pattern that matches.
+TEST(Record, LimitsSayHowFarAFigureMayGo) {
+    FigureRecord old = lock;
+    old.rows = {{"", "bytes", 1000}, {"", "misses.L1", 10}, {"", "misses.L2", 10}, {"", "steps", 5}};
+    old.limits = {{"bytes", {}, 1200}, {"misses.L1", 0.5, {}}, {"misses.*", 0.1, 14}};
+    EXPECT_EQ(json::parse(to_json(old))["limits"],
+              json::parse(R"({"bytes": {"hard": 1200}, "misses.L1": {"soft": 0.5},
+                              "misses.*": {"soft": 0.1, "hard": 14}})"));
+    EXPECT_EQ(to_json(parse_record(to_json(old), "mine.json", "lock")), to_json(old));
+    const auto outcome = [&](std::size_t row, double value) {
+        FigureRecord now = old;
+        now.rows[row].value = value;
+        const RecordComparison found = compare(old, now);
+        return lines(found).empty() ? "equal"
+                                    : lines(found)[0].substr(0, lines(found)[0].find(' ')) + " " +
+                                          std::to_string(found.exit_code());
+    };
+    EXPECT_EQ(outcome(0, 1200), "within 0") << "only a hard limit: it may grow up to that";
+    EXPECT_EQ(outcome(0, 1201), "over 3");
+    EXPECT_EQ(outcome(0, 999), "better 0");
+    EXPECT_EQ(outcome(1, 14), "within 0") << "the first soft limit, and the hard one of the other pattern";
+    EXPECT_EQ(outcome(1, 14.1), "over 3");
+    EXPECT_EQ(outcome(2, 11), "within 0");
+    EXPECT_EQ(outcome(2, 11.1), "worse 1");
+    EXPECT_EQ(outcome(3, 4), "changed 1") << "no limit: it must stay";
+}
+
+TEST(Record, LimitsAreNamedAndRefused) {
+    FigureRecord old = lock;
+    old.limits = {{"bytes", {}, 24100}};
+    FigureRecord now = old;
+    now.rows[0].value = 24101;
+    EXPECT_THAT(to_text(compare(old, now), "mine.json"),
+                HasSubstr("over: bytes: was 24000, is 24101\n    hard limit 24100\n"));
+    EXPECT_THAT(
+        complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"c": {"soft": 1}}})"),
+        HasSubstr("limits.c: the record has no such figure"));
+    EXPECT_THAT(complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"b": {"sof": 1}}})"),
+                HasSubstr("did you mean 'soft'"));
+    EXPECT_THAT(
+        complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"b": {"soft": -1}}})"),
+        HasSubstr("limits.b.soft: needs a number from 0 on"));
+    FigureRecord timed = speed;
+    timed.limits = {{"time", 0.5, 3}};
+    now = speed;
+    now.rows[0] = interval_row("gjk a", 1.3, 1.4, 1.5);
+    EXPECT_TRUE(compare(timed, now).passed()) << "beyond the slack, within the limit";
+    now.rows[0] = interval_row("gjk a", 3.1, 3.2, 3.3);
+    EXPECT_EQ(compare(timed, now).exit_code(), 3);
+}
+
 TEST(Record, ALoneCellIsOneRowAndFailsNothing) {
     FigureRecord now = speed;
     for (std::size_t i : {2, 3}) now.rows[i].cell = "gjk fresh";

@@ -45,7 +45,7 @@ const std::map<std::string, Examples> examples = {
       "caches --trace lean.din --machines zen5,l2=256K"}},
     {"campaign",
      {"campaign --pairs 1e7", "campaign --pairs 1e6 --families random --shape cube8 --layouts aos_f64"}},
-    {"compare", {"compare old.db new.db", "compare docs/records/zen3.json mine.json"}},
+    {"compare", {"compare old.db new.db --format markdown", "compare docs/records/zen3.json mine.json"}},
     {"draw", {"draw layout lean_f32 --svg lean.svg", "draw heat --table aos_f64 --queries 500"}},
     {"draw heat",
      {"draw heat --table aos_f64 --shape sphere386 --queries 500",

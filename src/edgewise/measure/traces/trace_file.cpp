@@ -213,6 +213,7 @@ TraceCaches::TraceCaches(std::span<const CacheMachine> machines) {
 }
 
 void TraceCaches::access(const FileAccess& access) {
+    ++(access.kind == AccessKind::read ? reads_ : writes_);
     for (std::vector<CacheModel>& models : machines_)
         for (CacheModel& model : models) model.access(access.address, access.bytes, access.kind);
     const std::uint64_t last = (access.address + (access.bytes - 1)) / line_bytes;

@@ -73,7 +73,7 @@ class DinWriter final : public TraceListener {
 /// A trace from elsewhere through the caches of several machines at once, and through reuse distances. Sets
 /// are found by the addresses as the file has them; caches are empty at its beginning. It knows no queries,
 /// so the trace as a whole is what the knee is of.
-class TraceCaches {
+class TraceCaches final : public TraceListener {
   public:
     /// One level, of caches or TLBs.
     struct Level {
@@ -84,6 +84,11 @@ class TraceCaches {
     explicit TraceCaches(std::span<const CacheMachine> machines);
 
     void access(const FileAccess& access);
+    void on_access(const TracedAccess& at) override { access({at.address, at.bytes, at.kind}); }
+    void on_query_end(bool /*counts*/) override {}
+
+    [[nodiscard]] std::uint64_t reads() const { return reads_; }
+    [[nodiscard]] std::uint64_t writes() const { return writes_; }
 
     /// Levels of machine number `machine`: caches from the first level on, then TLBs.
     [[nodiscard]] std::vector<Level> levels(std::size_t machine) const;
@@ -100,6 +105,7 @@ class TraceCaches {
     std::vector<std::vector<CacheModel>> machines_;  ///< caches of each machine, then its known TLBs
     std::unordered_map<std::uint64_t, std::uint64_t> numbers_;  ///< of lines, in order of first use
     std::uint64_t last_line_ = 0, last_number_ = 0;             ///< of the last access
+    std::uint64_t reads_ = 0, writes_ = 0;
     ReuseDistance reuse_;
 };
 
