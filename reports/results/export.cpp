@@ -67,12 +67,10 @@ bool is_chosen(const std::string& key, const ExportChoice& choice, std::set<std:
     return chosen;
 }
 
-std::vector<Chosen> chosen_cells(const ReportData& data, const ExportChoice& choice) {
-    check_choice(data, choice);
+std::vector<Chosen> chosen_figures(const ReportData& data, const ExportChoice& choice) {
     std::set<std::string> unmatched(choice.figures.begin(), choice.figures.end());
     std::vector<Chosen> all;
-    for (const ReportCell* cell : every_cell(data)) {
-        if (!is_chosen(*cell, choice)) continue;
+    for (const ReportCell* cell : chosen_cells(data, choice)) {
         Chosen& one = all.emplace_back(Chosen{cell, {}});
         for (const store::FigureRow& figure : cell->figures)
             if (is_chosen(figure_key(figure), choice, unmatched)) one.figures.push_back(figure);
@@ -127,8 +125,15 @@ std::string json_of(const ReportData& data, const std::vector<Chosen>& chosen) {
 
 }  // namespace
 
+std::vector<const ReportCell*> chosen_cells(const ReportData& data, const ExportChoice& choice) {
+    check_choice(data, choice);
+    std::vector<const ReportCell*> chosen = every_cell(data);
+    std::erase_if(chosen, [&](const ReportCell* cell) { return !is_chosen(*cell, choice); });
+    return chosen;
+}
+
 std::string export_text(const ReportData& data, const ExportChoice& choice) {
-    const std::vector<Chosen> chosen = chosen_cells(data, choice);
+    const std::vector<Chosen> chosen = chosen_figures(data, choice);
     return choice.format == ExportFormat::csv ? csv_of(data, chosen) : json_of(data, chosen);
 }
 

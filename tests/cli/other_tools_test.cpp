@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What other tools read. CI: a lock with limits, the formats of comparisons, and the composite action, whose
-// script runs here as a runner would run it.
+// script runs here as a runner would run it. callgrind_annotate: a profile of data.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "cli_paths.hpp"
 #include "program.hpp"
@@ -136,6 +137,66 @@ TEST(CiAction, HasTheInputsOfTheDocs) {
     for (std::sregex_iterator at(workflow.begin(), workflow.end(), member), end; at != end; ++at, ++inputs)
         EXPECT_THAT(action, HasSubstr("\n  " + (*at)[1].str() + ":\n"));
     EXPECT_GE(inputs, 2U);
+}
+
+constexpr const char* one_cell =
+    R"({"scenes": [{"name": "tumble"}], "shapes": ["cube8"], "meshes": [], "layouts": ["lean_f32", "aos_f64"],
+    "algorithms": ["vclip"], "axes": [], "machines": [], "queries": 100, "checked": 20, "rounds": 1, "stability": 0})";
+
+void write_store(const Folder& folder) {
+    folder.write("plan.json", one_cell);
+    const Outcome outcome = run({"sweep", "--plan", "plan.json", "--store", "s.db", "--no-report"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+/// Numbers of the line that begins with this word.
+std::vector<double> numbers_after(const std::string& text, const std::string& word) {
+    std::istringstream words(text.substr(text.find("\n" + word + " ") + word.size() + 2));
+    std::vector<double> numbers;
+    for (double number = 0; words >> number;) numbers.push_back(number);
+    return numbers;
+}
+
+/// The sums are those of the lock of the same cell.
+TEST(Callgrind, HasTheCostsOfALockByComponentStepAndField) {
+    const Folder folder;
+    write_store(folder);
+    const Arguments exported = {"export",   "s.db",      "--layouts",  "lean_f32",
+                                "--format", "callgrind", "--machines", "zen5"};
+    const Outcome profile = run(exported, folder);
+    ASSERT_EQ(profile.exit_code, 0) << profile.err;
+    EXPECT_THAT(profile.out, HasSubstr("\nevents: Reads Writes Lines zen5_L1D zen5_L2 zen5_L3\n"));
+    EXPECT_THAT(profile.out, HasSubstr("\nfl=vertex_coordinates\nfn=vertex_vertex\n1 "));
+    EXPECT_THAT(profile.out, HasSubstr("\nfl=pair\nfn=pair_cache\n"));
+    const json lock = json::parse(
+        run({"lock", "--table", "lean_f32", "--shape", "cube8", "--queries", "100", "--machines", "zen5"},
+            folder)
+            .out)["figures"];
+    const double queries = lock["queries"].get<double>();
+    const std::vector<double> totals = numbers_after(profile.out, "totals:");
+    ASSERT_EQ(totals.size(), 6U);
+    EXPECT_GT(totals[0], totals[2]);
+    EXPECT_NEAR(totals[2], lock["lines_per_query"].get<double>() * queries, 1e-6);
+    EXPECT_NEAR(totals[3], lock["misses_per_query.zen5.L1D"].get<double>() * queries, 1e-6);
+    for (const Arguments& slip : {Arguments{"export", "s.db", "--machines", "zen5"},
+                                  Arguments{"export", "s.db", "--scenes", "cold", "--format", "callgrind"}})
+        EXPECT_EQ(run(slip, folder).exit_code, 2);
+}
+
+TEST(Callgrind, IsAnnotatedWithTheNamesOfFields) {
+    const Folder folder;
+    write_store(folder);
+    if (run_in_shell("command -v callgrind_annotate", {}, folder).exit_code != 0)
+        GTEST_SKIP() << "no callgrind_annotate here (Debian: valgrind)";
+    const Outcome written =
+        run({"export", "s.db", "--format", "callgrind", "--out", "all.callgrind"}, folder);
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    const Outcome annotated = run_in_shell(
+        "callgrind_annotate --include=all.callgrind.fields --threshold=100 all.callgrind", {}, folder);
+    ASSERT_EQ(annotated.exit_code, 0) << annotated.err;
+    EXPECT_THAT(annotated.out, HasSubstr("voronoi_planes:vertex_"));
+    EXPECT_THAT(annotated.out, HasSubstr("[aos_f64 vclip tumble"));
+    EXPECT_TRUE(std::regex_search(annotated.out, std::regex("[0-9.]+%\\) .* voronoi_plane\n")));
 }
 
 }  // namespace

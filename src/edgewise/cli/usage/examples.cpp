@@ -53,7 +53,7 @@ const std::map<std::string, Examples> examples = {
     {"draw layout", {"draw layout lean_f32 > lean.svg", "draw layout aos_f64 --shape tetra4 --svg aos.svg"}},
     {"export",
      {"export --figures 'time.*' --out times.csv",
-      "export mine.db --figures 'caches.*.step.*' --format json"}},
+      "export mine.db --layouts lean_f32 --format callgrind --out lean.callgrind"}},
     {"fields", {"fields --table aos_f64 --scene tumble", "fields --table soa_f64 --algorithm gjk --json"}},
     {"judge",
      {"judge --template > pair.json", "judge --a link.obj --b cube8 --pose-b 0.5,0,0 --said fcl=0.02",
