@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, checks that it has
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN: installs the package, moves it, checks that it has
 # no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning and
 # outside flags; also with clang++ if there is one). It compares their output with README. Then it builds the
 # layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
@@ -110,6 +110,22 @@ function(check_locks COMPILER FOLDER)
     check_lock(${COMPILER} ${FOLDER} ON 8 "bytes.nodes.padding: was 0, is 16000" "lines_per_query: was ")
 endfunction()
 
+# The header of a lock compiles with the installed headers, and no longer if a size in it is another.
+function(check_lock_header COMPILER)
+    run("edgewise lock --header" ${BUILD}/edgewise lock --header --table lean_f32 --shape cube8 --queries 20)
+    file(WRITE ${SCRATCH}/right/lock_header "${output}")
+    string(REPLACE "sizeof(Pair) == " "sizeof(Pair) == 1" changed "${output}")
+    file(WRITE ${SCRATCH}/wrong/lock_header "${changed}")
+    file(WRITE ${SCRATCH}/lock.cpp "#include <lock_header>\n")
+    set(command ${COMPILER} -std=c++20 -fsyntax-only -I${prefix}/include -isystem ${EIGEN} ${SCRATCH}/lock.cpp)
+    run("compiling the header of the lock" ${command} -I${SCRATCH}/right)
+    execute_process(COMMAND ${command} -I${SCRATCH}/wrong RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
+    if(result EQUAL 0 OR NOT errors MATCHES "a pair's memory is no longer")
+        message(FATAL_ERROR "a lock's header with another size compiles (${result}):\n${errors}")
+    endif()
+    message("the header of a lock compiles, and not with another size")
+endfunction()
+
 # The example in Python prints one figure of a store's two cells.
 function(check_python)
     find_program(PYTHON python3)
@@ -137,9 +153,11 @@ endforeach()
 file(GLOB examples ${prefix}/share/doc/*/examples)
 check_consumer(${COMPILER} ${SCRATCH}/build)
 check_locks(${COMPILER} ${SCRATCH}/lock)
+check_lock_header(${COMPILER})
 check_python()
 find_program(OTHER NAMES clang++ clang++-14 clang++-15 clang++-16)
 if(OTHER)
     check_consumer(${OTHER} ${SCRATCH}/build-other)
     check_locks(${OTHER} ${SCRATCH}/lock-other)
+    check_lock_header(${OTHER})
 endif()
