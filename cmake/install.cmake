@@ -16,11 +16,10 @@ if(TARGET edgewise_measure)
                 FILES_MATCHING PATTERN "*.hpp" PATTERN machines EXCLUDE)
     endforeach()
     install(FILES src/edgewise/measure/expected.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise/measure)
-    install(FILES tests/consumer/layout_lock/kd_tree.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES tests/consumer/project/own_shape.cpp tests/consumer/project/many_scales.cpp DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/edgewise)

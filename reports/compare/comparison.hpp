@@ -20,7 +20,22 @@ struct StoreComparison {
 /// A time is worse where its whole interval lies beyond `slack` and beyond the noise.
 [[nodiscard]] StoreComparison compare(const ReportData& before, const ReportData& after, double slack);
 
-/// Returns the comparison as text for a terminal; `old_name` is the file of the older store.
-[[nodiscard]] std::string comparison_text(const StoreComparison& comparison, const std::string& old_name);
+/// Returns the line that says how much the baseline's own cells vary.
+[[nodiscard]] std::string noise_text(const StoreComparison& comparison);
+
+// Formats that CI reads. All of them have the rule of significance of the comparison: a difference that
+// intervals and slack allow counts as none.
+
+inline constexpr const char *ci_markdown = "markdown", *ci_github = "github", *ci_bencher = "bencher",
+                            *ci_junit = "junit";
+
+/// Returns a comparison of any records in one of these formats. `markdown`: a table of at most five rows for
+/// a pull request (regressions and improvements of exact figures and of times, and rows without a number on
+/// both sides: how many, and mean and range of the change), the verdict, and the full text, folded. `github`:
+/// the new figures for github-action-benchmark (customSmallerIsBetter). `bencher`: the new figures in Bencher
+/// Metric Format. `junit`: a test case for each row. The two formats of figures leave out cells that only one
+/// record has. `old_name`: the old record's file; figures of a record with one cell are called after it.
+[[nodiscard]] std::string ci_text(const measure::RecordComparison& found, const std::string& format,
+                                  const std::string& old_name);
 
 }  // namespace edgewise::reports

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
+#include "edgewise/reports/scene_label.hpp"
 
 namespace edgewise::reports {
 
@@ -153,18 +153,6 @@ std::optional<FirstPlace> first_place(const FigureRecord& record, const std::str
     return first;
 }
 
-std::vector<std::string> questions_of(std::span<const FigureRecord> records) {
-    std::vector<std::string> questions;
-    for (const FigureRecord& record : records) {
-        for (const RecordRow& row : record.rows) {
-            const std::string question = question_of(row);
-            if (row.figure != ratio_figure) continue;
-            if (std::ranges::find(questions, question) == questions.end()) questions.push_back(question);
-        }
-    }
-    return questions;
-}
-
 std::vector<std::string> first_on_all(const ComparedQuestion& compared) {
     std::map<std::string, std::size_t> times;
     std::size_t asked = 0;
@@ -179,40 +167,14 @@ std::vector<std::string> first_on_all(const ComparedQuestion& compared) {
     return tables;
 }
 
-/// "scene {parameters} shape algorithm" in parts.
-struct QuestionParts {
-    std::string scene, rest;
-    nlohmann::json parameters;
-
-    explicit QuestionParts(const std::string& text) {
-        const auto begin = text.find(" {"), end = text.rfind("} ");
-        scene = text.substr(0, begin);
-        if (begin == text.npos || end == text.npos || end < begin) return;
-        parameters = input::json_or_null(text.substr(begin + 1, end - begin));
-        rest = text.substr(end + 2);
-    }
-};
-
-/// Values of each parameter of a scene, over all questions.
-using ParameterValues = std::map<std::string, std::map<std::string, std::set<std::string>>>;
-
-ParameterValues values_in(const std::vector<ComparedQuestion>& questions) {
-    ParameterValues values;
-    for (const ComparedQuestion& question : questions) {
-        const QuestionParts parts(question.question);
-        for (const auto& [name, value] : parts.parameters.items())
-            values[parts.scene][name].insert(value.dump());
-    }
-    return values;
-}
-
-/// Returns a label of the question: the scene, and the parameters that differ between questions.
-std::string label_of(const std::string& question, const ParameterValues& values) {
-    const QuestionParts parts(question);
-    std::string label = parts.scene;
-    for (const auto& [name, value] : parts.parameters.items())
-        if (values.at(parts.scene).at(name).size() > 1) label += fmt::format(" {} {}", name, value.dump());
-    return label + " " + parts.rest;
+/// "tumble (rotation_step 0.1) cube8 gjk" of the question "tumble {"rotation_step":0.1,...} cube8 gjk".
+std::string label_of(const std::string& question) {
+    const auto begin = question.find(" {"), end = question.rfind("} ");
+    if (begin == question.npos || end == question.npos || end < begin) return question;
+    store::CellRow cell;
+    cell.scene = question.substr(0, begin);
+    cell.scene_parameters = question.substr(begin + 1, end - begin);
+    return scene_label(cell) + question.substr(end + 1);
 }
 
 std::string label_of(const FigureRecord& record) {
@@ -230,11 +192,15 @@ std::string place_text(const std::optional<FirstPlace>& place) {
 
 std::vector<ComparedQuestion> compare_records(std::span<const FigureRecord> records) {
     std::vector<ComparedQuestion> result;
-    for (const std::string& question : questions_of(records)) {
-        ComparedQuestion compared{question, {}, {}};
-        for (const FigureRecord& record : records) compared.machines.push_back(first_place(record, question));
+    for (const FigureRecord& record : records)
+        for (const RecordRow& row : record.rows)
+            if (row.figure == ratio_figure &&
+                std::ranges::find(result, question_of(row), &ComparedQuestion::question) == result.end())
+                result.push_back({question_of(row), {}, {}});
+    for (ComparedQuestion& compared : result) {
+        for (const FigureRecord& record : records)
+            compared.machines.push_back(first_place(record, compared.question));
         compared.first_everywhere = first_on_all(compared);
-        result.push_back(std::move(compared));
     }
     return result;
 }
@@ -243,9 +209,8 @@ std::string comparison_text(std::span<const FigureRecord> records) {
     std::string text = "fastest table and its ratio to the record's baseline; 'or n more': intervals meet\n";
     std::size_t alike = 0;
     const auto compared = compare_records(records);
-    const ParameterValues values = values_in(compared);
     for (const ComparedQuestion& question : compared) {
-        text += label_of(question.question, values) + "\n";
+        text += label_of(question.question) + "\n";
         for (std::size_t i = 0; i < records.size(); ++i)
             text += fmt::format("    {:<44} {}\n", label_of(records[i]), place_text(question.machines[i]));
         alike += !question.first_everywhere.empty();

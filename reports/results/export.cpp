@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
@@ -29,19 +30,12 @@ bool names_one(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-std::string joined(const std::set<std::string>& names) {
-    std::string line;
-    for (const std::string& name : names) line += (line.empty() ? "" : ", ") + name;
-    return line;
-}
-
 /// Every wanted name must be one of the store's.
 void check_names(const std::vector<std::string>& wanted, const std::set<std::string>& there,
                  const char* what) {
     for (const std::string& name : wanted)
         if (!there.contains(name))
-            throw std::runtime_error(
-                fmt::format("no {} '{}' in the store; it has: {}", what, name, joined(there)));
+            throw std::runtime_error(unknown_name(what, name, {there.begin(), there.end()}));
 }
 
 void check_choice(const ReportData& data, const ExportChoice& choice) {
@@ -50,8 +44,8 @@ void check_choice(const ReportData& data, const ExportChoice& choice) {
         scenes.insert(cell->scene);
         layouts.insert({cell->layout, cell->layout + "_" + cell->precision, cell->table});
     }
-    check_names(choice.scenes, scenes, "scene");
-    check_names(choice.layouts, layouts, "layout or table type");
+    check_names(choice.scenes, scenes, "scene of the store");
+    check_names(choice.layouts, layouts, "layout or table type of the store");
 }
 
 bool is_chosen(const ReportCell& cell, const ExportChoice& choice) {
@@ -73,12 +67,10 @@ bool is_chosen(const std::string& key, const ExportChoice& choice, std::set<std:
     return chosen;
 }
 
-std::vector<Chosen> chosen_cells(const ReportData& data, const ExportChoice& choice) {
-    check_choice(data, choice);
+std::vector<Chosen> chosen_figures(const ReportData& data, const ExportChoice& choice) {
     std::set<std::string> unmatched(choice.figures.begin(), choice.figures.end());
     std::vector<Chosen> all;
-    for (const ReportCell* cell : every_cell(data)) {
-        if (!is_chosen(*cell, choice)) continue;
+    for (const ReportCell* cell : chosen_cells(data, choice)) {
         Chosen& one = all.emplace_back(Chosen{cell, {}});
         for (const store::FigureRow& figure : cell->figures)
             if (is_chosen(figure_key(figure), choice, unmatched)) one.figures.push_back(figure);
@@ -133,8 +125,15 @@ std::string json_of(const ReportData& data, const std::vector<Chosen>& chosen) {
 
 }  // namespace
 
+std::vector<const ReportCell*> chosen_cells(const ReportData& data, const ExportChoice& choice) {
+    check_choice(data, choice);
+    std::vector<const ReportCell*> chosen = every_cell(data);
+    std::erase_if(chosen, [&](const ReportCell* cell) { return !is_chosen(*cell, choice); });
+    return chosen;
+}
+
 std::string export_text(const ReportData& data, const ExportChoice& choice) {
-    const std::vector<Chosen> chosen = chosen_cells(data, choice);
+    const std::vector<Chosen> chosen = chosen_figures(data, choice);
     return choice.format == ExportFormat::csv ? csv_of(data, chosen) : json_of(data, chosen);
 }
 

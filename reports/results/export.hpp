@@ -20,6 +20,9 @@ struct ExportChoice {
     ExportFormat format = ExportFormat::csv;
 };
 
+/// Returns the cells that the choice names. Throws as export_text does.
+[[nodiscard]] std::vector<const ReportCell*> chosen_cells(const ReportData& data, const ExportChoice& choice);
+
 /// CSV: the columns that name the cell, then probe, figure, state ("measured" or "not measured"), value,
 /// unit, reason, remedy. JSON: {"cells": [{...the same names..., "figures": [{"figure", "value", "unit",
 /// "reason", "remedy"}]}]}, in which a value that was not measured is null and only such a one has a reason.

@@ -86,9 +86,10 @@ TEST(Export, WritesBreakdownsWhereItIsTold) {
 TEST(Export, OfWhatTheStoreLacksIsOneLine) {
     const Folder folder;
     ASSERT_EQ(run(rich, folder).exit_code, 0);
-    const std::map<std::string, Arguments> slips = {{"no scene 'nope'", {"--scenes", "nope"}},
-                                                    {"'nope_f64'", {"--layouts", "nope_f64"}},
-                                                    {"matches 'nope'", {"--figures", "nope"}}};
+    const std::map<std::string, Arguments> slips = {
+        {"unknown scene of the store 'nope'", {"--scenes", "nope"}},
+        {"'nope_f64'", {"--layouts", "nope_f64"}},
+        {"matches 'nope'", {"--figures", "nope"}}};
     for (const auto& [words, more] : slips) {
         Arguments arguments = {"export", "s.db"};
         arguments.insert(arguments.end(), more.begin(), more.end());

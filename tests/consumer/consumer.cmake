@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR: installs the package, moves it, checks that it has
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN: installs the package, moves it, checks that it has
 # no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning and
 # outside flags; also with clang++ if there is one). It compares their output with README. Then it builds the
 # layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
@@ -71,18 +71,25 @@ endfunction()
 
 # Builds all programs with one compiler, and compares their output.
 function(check_consumer COMPILER FOLDER)
-    build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp)
+    build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp
+        -D EXAMPLES=${examples})
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
-    expect_output("own_shape.cpp" ${FOLDER}/own_shape
+    set(built ${FOLDER}/examples)
+    expect_output("own_shape.cpp" ${built}/own_shape
         "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")
-    expect_output("many_scales.cpp" ${FOLDER}/many_scales "separated 1.5;separated 0.5;overlapping 0")
-    expect_output("many_pairs.cpp" ${FOLDER}/many_pairs "500500 500500")
+    expect_output("two_layouts.cpp" ${built}/two_layouts
+        "aos 2912 bytes, distance 1.000000;lean 129 bytes, distance 1.000000")
+    expect_output("penetration.cpp" ${built}/penetration "0.25 deep;0 deep")
+    expect_output("nearer_than.cpp" ${built}/nearer_than "7 of 128 frames nearer than 0.5, 5 queries")
+    expect_output("many_scales.cpp" ${built}/many_scales "separated 1.5;separated 0.5;overlapping 0")
+    expect_output("query_batch.cpp" ${built}/query_batch "sum of distances 500500, as by single queries")
+    expect_output("many_pairs.cpp" ${built}/many_pairs "500500 500500")
 endfunction()
 
 # Runs the project's ctest: EXPECTED is its exit code; every further word must occur in its output.
 function(check_lock COMPILER FOLDER ADD_A_MEMBER EXPECTED)
     build_project(layout_lock ${COMPILER} ${FOLDER} "${BUILD}/libedgewise;${SOURCE}/src;Eigen;eigen;qhull"
-        -D ADD_A_MEMBER=${ADD_A_MEMBER})
+        -D ADD_A_MEMBER=${ADD_A_MEMBER} -D EXAMPLES=${examples})
     execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --verbose RESULT_VARIABLE result
         OUTPUT_VARIABLE output ERROR_VARIABLE output)
     if(NOT result EQUAL EXPECTED)
@@ -103,18 +110,54 @@ function(check_locks COMPILER FOLDER)
     check_lock(${COMPILER} ${FOLDER} ON 8 "bytes.nodes.padding: was 0, is 16000" "lines_per_query: was ")
 endfunction()
 
+# The header of a lock compiles with the installed headers, and no longer if a size in it is another.
+function(check_lock_header COMPILER)
+    run("edgewise lock --header" ${BUILD}/edgewise lock --header --table lean_f32 --shape cube8 --queries 20)
+    file(WRITE ${SCRATCH}/right/lock_header "${output}")
+    string(REPLACE "sizeof(Pair) == " "sizeof(Pair) == 1" changed "${output}")
+    file(WRITE ${SCRATCH}/wrong/lock_header "${changed}")
+    file(WRITE ${SCRATCH}/lock.cpp "#include <lock_header>\n")
+    set(command ${COMPILER} -std=c++20 -fsyntax-only -I${prefix}/include -isystem ${EIGEN} ${SCRATCH}/lock.cpp)
+    run("compiling the header of the lock" ${command} -I${SCRATCH}/right)
+    execute_process(COMMAND ${command} -I${SCRATCH}/wrong RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
+    if(result EQUAL 0 OR NOT errors MATCHES "a pair's memory is no longer")
+        message(FATAL_ERROR "a lock's header with another size compiles (${result}):\n${errors}")
+    endif()
+    message("the header of a lock compiles, and not with another size")
+endfunction()
+
+# The example in Python prints one figure of a store's two cells.
+function(check_python)
+    find_program(PYTHON python3)
+    if(NOT PYTHON)
+        message("no python3 here: read_store.py is not tried (Debian: python3)")
+        return()
+    endif()
+    run("a small sweep" ${BUILD}/edgewise sweep --scenes cold --shape cube8 --layouts lean_f32,aos_f64 --algorithms vclip
+        --queries 100 --checked 20 --rounds 1 --no-report --store ${SCRATCH}/s.db)
+    run("read_store.py" ${PYTHON} ${examples}/read_store.py ${SCRATCH}/s.db bytes.total_bytes_per_edge)
+    if(NOT output MATCHES "^cold cube8 vclip lean_f32 [0-9.]+ [^\n]*\ncold cube8 vclip aos_f64 [0-9.]+ [^\n]* ########################################\n$")
+        message(FATAL_ERROR "read_store.py prints:\n${output}")
+    endif()
+    message("read_store.py prints:\n${output}")
+endfunction()
+
 read_example(${SOURCE}/README.md example expected)
 file(WRITE ${SCRATCH}/example.cpp "${example}")
-foreach(document README.md own_shape.cpp kd_tree.cpp)
+foreach(document README.md own_shape.cpp kd_tree.cpp read_store.py)
     file(GLOB_RECURSE found ${prefix}/share/doc/*${document})
     if(NOT found)
         message(SEND_ERROR "${document} was not installed")
     endif()
 endforeach()
+file(GLOB examples ${prefix}/share/doc/*/examples)
 check_consumer(${COMPILER} ${SCRATCH}/build)
 check_locks(${COMPILER} ${SCRATCH}/lock)
+check_lock_header(${COMPILER})
+check_python()
 find_program(OTHER NAMES clang++ clang++-14 clang++-15 clang++-16)
 if(OTHER)
     check_consumer(${OTHER} ${SCRATCH}/build-other)
     check_locks(${OTHER} ${SCRATCH}/lock-other)
+    check_lock_header(${OTHER})
 endif()

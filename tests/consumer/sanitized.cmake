@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Compiles and runs programs under sanitizers, as a user's CI does: with each of COMPILERS, LEVELS and SANITIZERS,
-# sanitized/queries.cpp with POSES poses on 8 and on 400 vertices, and the EXAMPLES of project/ (example: README's).
+# sanitized/queries.cpp with POSES poses on 8 and on 400 vertices, and the EXAMPLES of examples/ (example: README's).
 # A report fails, and so do different answers of table types.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
@@ -25,7 +25,7 @@ function(check_build)
     endforeach()
     set(times "queries ${SECONDS} s")
     foreach(example IN LISTS EXAMPLES)
-        set(source ${SOURCE}/tests/consumer/project/${example}.cpp)
+        set(source ${SOURCE}/examples/${example}.cpp)
         if(example STREQUAL "example")
             read_example(${SOURCE}/README.md text expected)
             set(source ${SCRATCH}/example.cpp)

@@ -15,7 +15,7 @@ endfunction()
 find_clang_tool(clang-format HOUSE_CLANG_FORMAT)
 if(HOUSE_CLANG_FORMAT)
     add_test(NAME house.format COMMAND sh -c
-        "find src layouts probes reports tests -name '*.[ch]pp' | xargs ${HOUSE_CLANG_FORMAT} --style=file --dry-run -Werror"
+        "find src layouts probes reports tests examples -name '*.[ch]pp' | xargs ${HOUSE_CLANG_FORMAT} --style=file --dry-run -Werror"
         WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(house.format PROPERTIES TIMEOUT 120)
 endif()

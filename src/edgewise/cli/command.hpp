@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Every command file has a function that adds its subcommand, which leaves its action if it is the one that
-// was called. Exit codes: 0 done, 1 a check failed, 2 usage or bad input.
+// was called. Exit codes: 0 done, 1 a check failed, 2 usage or bad input,
+// 3 a figure is over the hard limit of a record.
 #pragma once
 
 #include <fmt/core.h>
@@ -101,6 +102,11 @@ template <class Items, class JsonOf>
     return rows;
 }
 
+/// Prints figures of merit of a store, one stable line each, for the harnesses of computing centres (ReFrame,
+/// Benchpark, Ramble), FOM name = value unit: cells verified and failed, answers checked and wrong, and of
+/// every algorithm on every table type the geometric mean of its time over the baseline's.
+void print_figures_of_merit(const std::string& store);
+
 // The program's commands, in the order of --help.
 void add_sweep(CLI::App& app, Context& context);
 void add_advise(CLI::App& app, Context& context);
@@ -125,12 +131,7 @@ void add_list(CLI::App& app, Context& context);
 
 // Commands nested in others: in advise, paging, report, draw and bench.
 void add_budget(CLI::App& advise, Context& context);
-void add_thrash(CLI::App& paging, Context& context);
-void add_claims(CLI::App& report, Context& context);
-void add_heat(CLI::App& draw, Context& context);
 void add_effort(CLI::App& bench, Context& context);
 void add_crosscheck(CLI::App& bench, Context& context);
-void add_scaling(CLI::App& bench, Context& context);
-void add_calibrate(CLI::App& bench, Context& context);
 
 }  // namespace edgewise::cli

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise bench`: speed and work of queries and of the measuring itself. Here: `bench model`, how fast the
-// cache model and the reuse distances are, and `bench gate`, which compares this build's speed with a
-// baseline.
+// cache model and the reuse distances are, `bench gate`, which compares this build's speed with a baseline,
+// `bench calibrate`, the cache model of this machine against its counters, and `bench scaling`, queries per
+// second over threads that share tables and over threads with their own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,14 +12,134 @@
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/input/output_file.hpp"
+#include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/counters/calibration.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/gate/run.hpp"
 #include "edgewise/studies/model_speed.hpp"
+#include "edgewise/studies/threads/scaling.hpp"
 
 namespace edgewise::cli {
 
 namespace {
+
+struct ScalingArguments {
+    studies::CellChoice cell = studies::scaling_cell;
+    std::vector<int> threads;
+    int rounds = studies::ScalingPlan{}.rounds;
+};
+
+nlohmann::json json_of(const studies::WayOfSharing& way) {
+    return {
+        {"queries_per_second", way.per_second}, {"speed_up", way.speed_up}, {"efficiency", way.efficiency}};
+}
+
+nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& options) {
+    const nlohmann::json rows = json_rows(scaling.rows, [](const studies::ScalingRow& row) {
+        return nlohmann::json{{"threads", row.threads},
+                              {"shared", json_of(row.shared)},
+                              {"apart", json_of(row.apart)},
+                              {"contention", row.contention}};
+    });
+    return {{"table", scaling.table},
+            {"algorithm", scaling.algorithm},
+            {"scene", options.cell.scene},
+            {"shape", options.cell.shape},
+            {"cores", studies::usable_cores()},
+            {"queries", scaling.queries},
+            {"frames", scaling.frames},
+            {"table_bytes", scaling.table_bytes},
+            {"rounds", options.rounds},
+            {"checked", scaling.checked},
+            {"passes", scaling.passes},
+            {"wrong", or_null(scaling.wrong)},
+            {"rows", rows}};
+}
+
+void print(const studies::Scaling& scaling, const ScalingArguments& options) {
+    fmt::print("{} on {}, {} on {}: {} queries in {} frames, tables of {:.2f} MiB, {} cores\n",
+               scaling.algorithm, scaling.table, options.cell.scene, options.cell.shape, scaling.queries,
+               scaling.frames, scaling.table_bytes / (1 << 20), studies::usable_cores());
+    fmt::print("{}",
+               reports::rows_text(json_of(scaling, options)["rows"],
+                                  "#threads|#shared tables: queries per s = shared/queries_per_second 1 0|"
+                                  "#speed-up = shared/speed_up|#efficiency = shared/efficiency|"
+                                  "#own tables: queries per s = apart/queries_per_second 1 0|"
+                                  "#speed-up = apart/speed_up|#efficiency = apart/efficiency|#contention"));
+    fmt::print(
+        "Medians of {} rounds. Contention: a thread's time while the others run, over its time alone. {} answers were "
+        "checked exactly; {} passes gave the single queries' sum to the bit.\n",
+        options.rounds, scaling.checked, scaling.passes);
+}
+
+int run_scaling(const ScalingArguments& options, bool json) {
+    const studies::ScalingPlan plan{
+        options.cell, studies::scaling_threads(options.threads, studies::usable_cores()), options.rounds};
+    Progress progress("scaling", static_cast<std::size_t>(plan.rounds));
+    const std::atomic<bool>& stop = stop_on_signals();
+    const studies::Scaling scaling = studies::measure_scaling(
+        plan, [&] { progress.advance(); }, stop);
+    progress.clear();
+    if (json) {
+        print_json(json_of(scaling, options));
+    } else if (scaling.wrong.empty()) {
+        print(scaling, options);
+    } else {
+        fmt::print("{} on {}: {}\n", scaling.algorithm, scaling.table, scaling.wrong);
+    }
+    return scaling.wrong.empty() && !stop ? exit_done : exit_check_failed;
+}
+
+void add_scaling(CLI::App& bench, Context& context) {
+    auto [command, options] = add_command(
+        bench, context, "scaling",
+        "Queries per second over threads that share tables, and over threads with their own", run_scaling);
+    add_cell_options(*command, options.cell);
+    add_checked_option(*command, options.cell.checked);
+    add_count(*command, "--threads", options.threads, {0, 1'000'000, "threads"},
+              "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores");
+    add_rounds_option(*command, options.rounds, {1, 1000, "rounds"});
+}
+
+/// Only where something was counted; a model of no misses has no ratio.
+std::optional<double> ratio(const measure::CalibrationRow& row) {
+    if (!row.counted || row.modelled <= 0) return std::nullopt;
+    return *row.counted / row.modelled;
+}
+
+nlohmann::json calibration_json(const measure::CalibrationRow& row) {
+    return {{"level", row.level},           {"times", row.times},
+            {"bytes", row.bytes},           {"modelled_per_load", row.modelled},
+            {"event", row.event},           {"counted_per_load", or_null(row.counted)},
+            {"ratio", or_null(ratio(row))}, {"ns_per_load", row.ns},
+            {"reason", or_null(row.reason)}};
+}
+
+int run_calibrate(const measure::CalibrationOptions& options, bool json) {
+    const measure::Expected<measure::CacheMachine> host = measure::host_machine();
+    if (!host.value) throw std::runtime_error("this machine's caches are not known: " + host.reason);
+    const nlohmann::json rows = json_rows(
+        measure::calibrate_model(*host.value, measure::read_machine().cpu, options), calibration_json);
+    if (json)
+        print_json(nlohmann::json({{"calibration", rows}}));
+    else
+        fmt::print("{}", reports::rows_text(
+                             rows,
+                             "level|#times|#KiB = bytes 1024 0|#modelled per load = modelled_per_load|"
+                             "#counted = counted_per_load|#ratio|#ns per load = ns_per_load"));
+    return exit_done;
+}
+
+void add_calibrate(CLI::App& bench, Context& context) {
+    auto [command, options] =
+        add_command(bench, context, "calibrate",
+                    "Misses of random loads, modelled and counted, by level and size", run_calibrate);
+    add_number(*command, "--times", options.times, {0.01, 1000},
+               "memory sizes, as multiples of each level's size");
+    add_count(*command, "--loads", options.loads, {1000, 1'000'000'000, "loads"}, "loads per pass");
+}
 
 struct GateArguments {
     std::string file;
@@ -108,8 +229,7 @@ int compare_with_baseline(const GateArguments& gate, bool json) {
     auto found = settled(baseline, gate, *run);
     if (!found) return exit_check_failed;
     for (const std::string& line : run->wrong) found->faults.push_back("wrong answers: " + line);
-    fmt::print("{}", json ? to_json(*found) : input::shown_text(to_text(*found, gate.file)));
-    return found->exit_code();
+    return print_comparison(*found, gate.file, json);
 }
 
 int run_gate(const GateArguments& gate, bool json) {

@@ -34,23 +34,6 @@ struct Traced {
     bool fetches = false;
 };
 
-/// A cell's accesses as a file's.
-class FileAccesses final : public measure::TraceListener {
-  public:
-    explicit FileAccesses(measure::TraceCaches& caches) : caches_(&caches) {}
-    void on_access(const measure::TracedAccess& access) override {
-        ++(access.kind == measure::AccessKind::read ? counts_.reads : counts_.writes);
-        caches_->access({access.address, access.bytes, access.kind});
-    }
-    void on_query_end(bool /*counts*/) override {}
-
-    [[nodiscard]] const measure::TraceCounts& counts() const { return counts_; }
-
-  private:
-    measure::TraceCaches* caches_;
-    measure::TraceCounts counts_;
-};
-
 /// It is read twice, so no pipe will do.
 std::ifstream opened(const std::string& file) {
     if (const std::string wrong = input::what_is_wrong_with(file); !wrong.empty())
@@ -77,19 +60,19 @@ Traced trace_file(const CachesArguments& options, measure::TraceCaches& caches) 
 
 Traced trace_cell(const CachesArguments& options, measure::TraceCaches& caches) {
     const studies::SingleCell cell(options.cell);
-    FileAccesses accesses(caches);
     if (options.write.empty()) {
-        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), accesses));
+        static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), caches));
     } else {
         input::OutputFile file(options.write);
         measure::DinWriter writer(file.stream());
-        measure::TraceFanOut both({&accesses, &writer});
+        measure::TraceFanOut both({&caches, &writer});
         static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), both));
         file.finish();
     }
     return {fmt::format("{} {}, {} {}", options.cell.table, options.cell.algorithm, options.cell.scene,
                         options.cell.shape),
-            accesses.counts(), false};
+            {caches.reads(), caches.writes()},
+            false};
 }
 
 nlohmann::json part_of(std::uint64_t part, std::uint64_t whole) {

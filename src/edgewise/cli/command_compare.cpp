@@ -20,6 +20,7 @@ namespace {
 struct CompareArguments {
     std::vector<std::string> files;
     std::optional<double> slack;
+    std::string format;
 };
 
 constexpr double slack_of_stores = 0.05;
@@ -52,9 +53,8 @@ int compare_stores(const CompareArguments& options, bool json) {
     const reports::StoreComparison comparison =
         reports::compare(reports::read_report(options.files[0]), reports::read_report(options.files[1]),
                          options.slack.value_or(slack_of_stores));
-    fmt::print("{}", json ? to_json(comparison.found)
-                          : input::shown_text(reports::comparison_text(comparison, options.files[0])));
-    return comparison.found.exit_code();
+    return print_comparison(comparison.found, options.files[0], json, options.format,
+                            reports::noise_text(comparison));
 }
 
 int run_compare(const CompareArguments& options, bool json) {
@@ -63,15 +63,18 @@ int run_compare(const CompareArguments& options, bool json) {
     std::vector<measure::FigureRecord> records = {measure::read_record(files[0])};
     for (std::size_t i = 1; i < files.size(); ++i)
         records.push_back(measure::read_record(files[i], records[0].kind));
-    if (records[0].kind == reports::machine_kind) return compare_machines(records, json);
+    if (records[0].kind == reports::machine_kind) {
+        if (!options.format.empty())
+            throw std::invalid_argument("--format is of an old file and a new one, not of machine records");
+        return compare_machines(records, json);
+    }
     if (records.size() != 2)
         throw std::invalid_argument("give an old file and a new one: two stores, or two records of one kind");
     if (options.slack && records[0].slack) records[0].slack = options.slack;
-    const measure::RecordComparison found = records[0].kind == studies::speed_kind
-                                                ? studies::compare_speed(records[0], records[1])
-                                                : measure::compare(records[0], records[1]);
-    fmt::print("{}", json ? to_json(found) : input::shown_text(to_text(found, files[0])));
-    return found.exit_code();
+    const bool is_speed = records[0].kind == studies::speed_kind;
+    return print_comparison(
+        is_speed ? studies::compare_speed(records[0], records[1]) : measure::compare(records[0], records[1]),
+        files[0], json, options.format);
 }
 
 }  // namespace
@@ -84,6 +87,7 @@ void add_compare(CLI::App& app, Context& context) {
         ->add_option("files", options.files,
                      "an old and a new store, lock or baseline; or machine records of any number")
         ->required();
+    add_format_option(*command, options.format);
     add_slack_option(*command, options.slack,
                      fmt::format(" (else the old record's; {} of stores)", slack_of_stores));
 }

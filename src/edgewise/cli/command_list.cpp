@@ -2,15 +2,16 @@
 //
 // `edgewise list`: the names that other commands take, printed from the registries themselves.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/cli/terminal/list_tables.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/hard/families.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -24,6 +25,69 @@ namespace edgewise::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+using reports::wrapped, reports::rows_text, reports::widest_line;
+
+/// Each scene with a table of its parameters.
+std::string scenes_text(const Json& entries) {
+    std::string text;
+    for (const Json& scene : entries) {
+        const auto name = scene["name"].get<std::string>();
+        Json parameters = scene["parameters"];
+        for (Json& parameter : parameters) parameter["default"] = parameter["default"].dump();  // all digits
+        text += wrapped(name + ": " + scene["meaning"].get<std::string>()) + "\n" +
+                rows_text(parameters, "parameter = name|#default|unit|meaning") + "\n";
+    }
+    return text + "A scene file of your own: docs/your_bodies.md; edgewise list scene_files\n";
+}
+
+std::string size_text(const Json& bytes) {
+    const auto value = bytes.get<std::uint64_t>();
+    const bool mib = value % (1 << 20) == 0;
+    return mib ? fmt::format("{} MiB", value >> 20)
+               : fmt::format("{} KiB", static_cast<double>(value) / 1024);
+}
+
+std::string machines_text(const Json& entries) {
+    Json rows = entries;
+    for (Json& machine : rows)
+        for (Json& level : machine["levels"]) level["bytes"] = size_text(level["bytes"]);
+    return rows_text(rows,
+                     "name|#line = line_bytes|#L1D = levels/0/bytes|#L2 = levels/1/bytes|"
+                     "#L3 = levels/2/bytes|#MHz = clock_mhz|#memory = memory/latency_cycles|what") +
+           "line in bytes, memory in cycles; ways, latencies and sources: --json, one of which is a machine "
+           "file.\nOther machines: --machines mine.json, or from sizes: --machines l2=256K,l3=8M\n";
+}
+
+std::string plans_text(const Json& entries) {
+    Json rows = entries;
+    for (Json& plan : rows) {
+        std::map<std::string, int> times;  // a scene may be listed with several parameters
+        for (const Json& scene : plan["scenes"])
+            ++times[scene.get<std::string>().substr(0, scene.get<std::string>().find(' '))];
+        plan["scenes"] = Json::array();
+        for (const auto& [name, count] : times)
+            plan["scenes"].push_back(count == 1 ? name : fmt::format("{} x {}", name, count));
+    }
+    return rows_text(rows, "plan = name|#queries|#checked|#rounds|#stability|scenes") +
+           "queries per cell and round; of them checked exactly; timed rounds; hard cases per family.\n"
+           "Layouts, shapes and parameters: --json\n";
+}
+
+std::string layouts_text(const Json& entries) {
+    std::string text;
+    for (const Json& layout : entries) {
+        const auto names = [&](const char* key) {
+            return fmt::format("{}", fmt::join(layout[key].get<std::vector<std::string>>(), ", "));
+        };
+        text += fmt::format("{} ({}; {})\n", layout["name"].get<std::string>(), names("precisions"),
+                            names("algorithms"));
+        for (const char* key : {"stores", "derives"})
+            text += fmt::format("    {}: {}\n", key,
+                                wrapped(layout[key].get<std::string>(), widest_line - 13, 13));
+    }
+    return text;
+}
 
 /// One entry per layout, its precisions gathered.
 Json list_layouts() {
@@ -131,12 +195,25 @@ Json list_figures() {
     return result;
 }
 
-const std::map<std::string, Json (*)()>& lists() {
-    static const std::map<std::string, Json (*)()> known = {
-        {"layouts", list_layouts},         {"probes", list_probes},    {"algorithms", list_algorithms},
-        {"scenes", list_of_scenes},        {"shapes", list_of_shapes}, {"plans", list_plans},
-        {"families", list_families},       {"axes", list_axes},        {"machines", list_machines},
-        {"scene_files", list_scene_files}, {"figures", list_figures}};
+struct List {
+    Json (*entries)();
+    const char* columns;                            ///< of its table for people
+    std::string (*text)(const Json& entries) = {};  ///< instead of a table
+};
+
+const std::map<std::string, List>& lists() {
+    static const std::map<std::string, List> known = {
+        {"layouts", {list_layouts, "", layouts_text}},
+        {"probes", {list_probes, "probe = name|what it measures = summary"}},
+        {"algorithms", {list_algorithms, "algorithm = name|needs|what it is = summary"}},
+        {"scenes", {list_of_scenes, "", scenes_text}},
+        {"shapes", {list_of_shapes, "shape = name|#vertices|#edges|#faces"}},
+        {"plans", {list_plans, "", plans_text}},
+        {"families", {list_families, "family = name|varies|breaks"}},
+        {"axes", {list_axes, "axis = name|values|meaning"}},
+        {"machines", {list_machines, "", machines_text}},
+        {"scene_files", {list_scene_files, "scene file = name|what it is for = note"}},
+        {"figures", {list_figures, "figure = name|unit|meaning"}}};
     return known;
 }
 
@@ -146,12 +223,13 @@ int run_list(const std::string& what, bool as_json) {
         for (const auto& [name, list] : lists()) names.push_back(name);
         throw std::invalid_argument(unknown_name("list", what, names));
     }
-    const Json entries = lists().at(what)();
+    const List& list = lists().at(what);
+    const Json entries = list.entries();
     if (as_json) {
         print_json(Json{{what, entries}});
         return exit_done;
     }
-    fmt::print("{}", list_text(what, entries));
+    fmt::print("{}", list.text ? list.text(entries) : rows_text(entries, list.columns));
     return exit_done;
 }
 

@@ -1,18 +1,216 @@
 // SPDX-License-Identifier: MIT
 //
 // `edgewise paging`: major page faults per query under memory limits, measured, next to their prediction.
+// And `paging thrash`: which mechanisms, memories and costs of a fault could have made the paper's figure 8,
+// and three of them made real.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"
+#include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/paging/paging.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
 
 namespace edgewise::cli {
 
 namespace {
+
+namespace thrash = studies::thrash;
+
+struct ThrashArguments {
+    thrash::Levels levels;
+    std::size_t realised = thrash::realised_cells;
+    double wait_s = thrash::budget_of_a_point_ns / 1e9;
+};
+
+nlohmann::json json_of(const thrash::Setting& setting, const thrash::Factorial& factorial) {
+    return {{"mechanism", thrash::mechanism_names[static_cast<std::size_t>(setting.mechanism)]},
+            {"intensity", setting.intensity},
+            {"table", setting.table},
+            {"own_tables", !setting.shared},
+            {"time_step", setting.time_step},
+            {"bodies", setting.bodies},
+            {"memory_bytes", setting.memory_bytes},
+            {"fault_ns", setting.fault_ns},
+            {"machine", factorial.machines[setting.machine].name()}};
+}
+
+nlohmann::json json_of(const thrash::Outcome& outcome, const thrash::Factorial& factorial) {
+    const thrash::FactScore& score = outcome.score;
+    nlohmann::json facts;
+    for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
+        facts[std::string(thrash::fact_names[i])] = score.holds[i];
+    const thrash::Figure8& figure = outcome.figure;
+    return {{"setting", json_of(outcome.setting, factorial)},
+            {"facts", facts},
+            {"facts_held", score.count()},
+            {"rise", score.rise},
+            {"top_ns", score.top_ns},
+            {"gjk_rise", score.gjk_rise},
+            {"gjk_rise_from_8", score.gjk_rise_from_8},
+            {"fall", score.fall},
+            {"gjk_fall", score.gjk_fall},
+            {"vclip_38_ns", figure.vclip_38},
+            {"vclip_386_ns", figure.vclip_386},
+            {"gjk_38_ns", figure.gjk_38},
+            {"gjk_386_ns", figure.gjk_386}};
+}
+
+nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial& factorial) {
+    const auto point_json = [](const thrash::RealisedPoint& point) {
+        return nlohmann::json{{"speed", point.speed},
+                              {"queries", point.queries},
+                              {"in_memory_ns", point.in_memory_ns},
+                              {"predicted_faults", point.predicted_hard},
+                              {"faults", point.hard},
+                              {"soft_faults", point.soft},
+                              {"predicted_ns", point.predicted_ns},
+                              {"measured_ns", point.measured_ns},
+                              {"model_ns", point.model_ns},
+                              {"same_answers", point.same_answers}};
+    };
+    const nlohmann::json curves = json_rows(cell.curves, [&](const thrash::RealisedCurve& curve) {
+        return nlohmann::json{{"shape", curve.shape},
+                              {"algorithm", curve.algorithm},
+                              {"points", json_rows(curve.points, point_json)}};
+    });
+    const bool there = cell.reason.empty();
+    return {{"setting", json_of(cell.setting, factorial)},
+            {"curves", there ? curves : nlohmann::json()},
+            {"worst_ratio", there ? nlohmann::json(cell.worst_ratio()) : nlohmann::json()},
+            {"reason", or_null(cell.reason)},
+            {"remedy", or_null(cell.remedy)}};
+}
+
+nlohmann::json json_of(const thrash::Calibration& calibration, const thrash::Factorial& factorial) {
+    nlohmann::json points;
+    for (const thrash::CalibrationPoint& point : calibration.points)
+        points[fmt::format("figure_{}", point.figure)] =
+            point.model_ns(calibration.ns_per_read) / point.top_ns;
+    return {{"machine", factorial.machines[calibration.machine].name()},
+            {"time_step", calibration.time_step},
+            {"ns_per_read", calibration.ns_per_read},
+            {"model_over_paper", points}};
+}
+
+nlohmann::json json_of(const thrash::OutcomeGroup& group, const thrash::Factorial& factorial) {
+    nlohmann::json with;
+    for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
+        with[std::string(thrash::fact_names[i])] = group.with(static_cast<thrash::Fact>(i));
+    return {{"of", json_of(group.setting, factorial)},
+            {"settings", group.outcomes.size()},
+            {"with", with},
+            {"with_all", group.with_all()},
+            {"best", json_of(group.best(), factorial)}};
+}
+
+nlohmann::json json_of(const thrash::Factorial& factorial, const std::vector<thrash::RealisedCell>& cells) {
+    const auto json = [&](const auto& of) { return json_of(of, factorial); };
+    std::vector<thrash::Outcome> region;
+    std::ranges::copy_if(factorial.outcomes, std::back_inserter(region),
+                         [](const thrash::Outcome& outcome) { return outcome.score.count() == 4; });
+    return {{"calibrations", json_rows(factorial.calibrations, json)},
+            {"groups", json_rows(groups_of(factorial), json)},
+            {"region", json_rows(region, json)},
+            {"realised", json_rows(cells, json)},
+            {"cycles", factorial.cycles},
+            {"vclip_queries", factorial.vclip_queries}};
+}
+
+void print(const nlohmann::json& result, const thrash::Factorial& factorial) {
+    std::string calibrated = "machine|#step, s = time_step|#ns per read = ns_per_read";
+    for (const auto& [figure, ratio] : result["calibrations"].front()["model_over_paper"].items())
+        calibrated += fmt::format("|#model / paper, {0} = model_over_paper/{0}", figure);
+    nlohmann::json groups = result["groups"];
+    std::erase_if(groups.get_ref<nlohmann::json::array_t&>(), [&](const nlohmann::json& group) {
+        return group["of"]["machine"] != factorial.machines.front().name();
+    });
+    fmt::print("{}\n{}best: facts that hold, bodies, MiB, us a fault; rise, top in us, GJK's rise, fall\n",
+               reports::rows_text(result["calibrations"], calibrated),
+               reports::rows_text(
+                   groups,
+                   "mechanism = of/mechanism|#intensity = of/intensity|table = of/table|"
+                   "own = of/own_tables|#step, s = of/time_step|#settings|#rises = with/rises|"
+                   "#as long = with/takes_as_long|#spares GJK = with/spares_gjk|#erratic = with/erratic|"
+                   "#all = with_all|#best = best/facts_held|#bodies = best/setting/bodies|"
+                   "#MiB = best/setting/memory_bytes 1048576 0|#us = best/setting/fault_ns 1000|"
+                   "#rise = best/rise|#top = best/top_ns 1000|#GJK = best/gjk_rise|#fall = best/fall"));
+}
+
+void print(const thrash::RealisedCell& cell) {
+    const thrash::Setting& setting = cell.setting;
+    fmt::print("\nrealised: {}, {} tables, steps of {:.4g} s, {} bodies, {} MiB, {:g} us a fault\n",
+               setting.table, setting.shared ? "shared" : "own", setting.time_step, setting.bodies,
+               setting.memory_bytes >> 20, setting.fault_ns / 1000);
+    if (!cell.reason.empty()) {
+        fmt::print("  not measured: {}\n", cell.reason);
+        return;
+    }
+    for (const thrash::RealisedCurve& curve : cell.curves) {
+        fmt::print("  {:<9} {:<5} us per query, measured (predicted; modelled):", curve.shape,
+                   curve.algorithm);
+        for (const thrash::RealisedPoint& point : curve.points)
+            fmt::print(" {:.4g} ({:.4g}; {:.4g})", point.measured_ns / 1000, point.predicted_ns / 1000,
+                       point.model_ns / 1000);
+        fmt::print("\n");
+    }
+    fmt::print("  farthest from its prediction: a factor of {:.2f}\n", cell.worst_ratio());
+}
+
+bool all_same(const std::vector<thrash::RealisedCell>& cells) {
+    for (const thrash::RealisedCell& cell : cells)
+        for (const thrash::RealisedCurve& curve : cell.curves)
+            for (const thrash::RealisedPoint& point : curve.points)
+                if (!point.same_answers) return false;
+    return true;
+}
+
+int run_thrash(const ThrashArguments& options, bool json) {
+    thrash::Levels levels = options.levels;
+    levels.filling = levels.steps / 6;
+    Progress progress("thrash", thrash::scenes_to_trace(levels) + options.realised);
+    const thrash::Factorial factorial = thrash::run_factorial(
+        levels, [&] { progress.advance(1, "traced"); }, stop_on_signals());
+    if (stop_on_signals()) return exit_check_failed;
+    std::vector<thrash::RealisedCell> cells;
+    for (const thrash::Outcome& outcome : outcomes_to_realise(factorial, options.realised)) {
+        cells.push_back(thrash::realise(outcome, levels, options.wait_s * 1e9));
+        progress.advance(1, "realised");
+    }
+    progress.clear();
+    const nlohmann::json result = json_of(factorial, cells);
+    if (json) {
+        print_json(result);
+    } else {
+        print(result, factorial);
+        for (const thrash::RealisedCell& cell : cells) print(cell);
+    }
+    return all_same(cells) ? exit_done : exit_check_failed;
+}
+
+void add_thrash(CLI::App& paging, Context& context) {
+    auto [command, options] = add_command(
+        paging, context, "thrash",
+        "What could have made the paper's figure 8: every combination of what it leaves open, scored",
+        run_thrash);
+    thrash::Levels& levels = options.levels;
+    add_layouts_option(*command, levels.tables);
+    add_count(*command, "--bodies", levels.bodies, {2, 10'000, "bodies"},
+              "how many bodies; every number is tried");
+    add_count(*command, "--memory", levels.memories_mib, {1, 100'000, "MiB"}, "memories, MiB");
+    add_number(*command, "--fault-ns", levels.fault_costs_ns, {1, 1e9, "ns"}, "costs of a fault, ns");
+    add_count(*command, "--steps", levels.steps, {12, 10'000, "steps"},
+              "steps traced; the first sixth of them counts nothing");
+    add_count(*command, "--realised", options.realised, {0, 100, "cells"},
+              "how many cells are made real; 0: none");
+    add_number(*command, "--wait", options.wait_s, {0.01, 100, "seconds"}, "of each realised point, s");
+    add_seed_option(*command, levels.seed);
+}
 
 struct PagingArguments {
     std::vector<std::string> layouts = {"aos_f64", "lean_f64"};

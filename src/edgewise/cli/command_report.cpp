@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise report`: writes the pages of a store again.
+// `edgewise report`: writes the pages of a store again. And `report claims`: the paper's claims, each with a
+// verdict from a store, or what two stores say differently. Without the folder that adds the paper there is
+// no such command.
 #include <fmt/format.h>
 
 #include <memory>
@@ -10,12 +12,39 @@
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/cli/usage/folders.hpp"
+#include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/report.hpp"
 
 namespace edgewise::cli {
 
 namespace {
+
+struct ClaimsArguments {
+    std::string store = default_store;
+    std::string other;  ///< of --diff; empty: one store alone
+};
+
+int run_claims(const ClaimsArguments& options, bool json) {
+    const reports::Addition& paper = reports::additions().front();
+    const reports::ReportData data = reports::read_report(options.store);
+    if (options.other.empty()) {
+        fmt::print("{}", paper.claims_text(data, json));
+        return exit_done;
+    }
+    return print_comparison(
+        measure::compare(paper.claims_record(data), paper.claims_record(reports::read_report(options.other))),
+        options.store, json);
+}
+
+void add_claims(CLI::App& report, Context& context) {
+    if (reports::additions().empty()) return;
+    auto [command, options] = add_command(report, context, "claims",
+                                          "The paper's claims, each with a verdict from a store", run_claims);
+    add_read_store_option(*command, options.store);
+    command->add_option("--diff", options.other,
+                        "what another store says differently; exit code 1 where something does");
+}
 
 struct ReportArguments {
     std::string store = default_store;
@@ -80,8 +109,8 @@ int run_compare(const ReportArguments& options, bool json) {
         line["report"] = summary.page;
         print_json(line);
     } else {
-        fmt::print("{}report: {}\n", input::shown_text(reports::comparison_text(comparison, options.compare)),
-                   summary.page);
+        print_comparison(found, options.compare, false, "", reports::noise_text(comparison));
+        fmt::print("report: {}\n", summary.page);
     }
     return options.gate ? found.exit_code() : exit_done;
 }

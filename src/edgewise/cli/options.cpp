@@ -10,6 +10,7 @@
 
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::cli {
@@ -43,12 +44,12 @@ constexpr const char* shape_type = "NAME|FILE";
 
 }  // namespace
 
-void take_parameter(const std::string& text, scene::SceneParameters& parameters) {
+void take_parameter(const std::string& text, scene::SceneParameters& parameters, const char* option) {
     const std::size_t equals = text.find('=');
     const auto number = equals == std::string::npos ? Result<double>::failure("no =")
                                                     : input::parse_number(text.substr(equals + 1));
     if (!number)
-        throw CLI::ValidationError(fmt::format("--parameter {}: {}; write NAME=NUMBER", text, number.error));
+        throw CLI::ValidationError(fmt::format("{} {}: {}; write NAME=NUMBER", option, text, number.error));
     parameters[text.substr(0, equals)] = *number;
 }
 
@@ -102,6 +103,22 @@ CLI::Option* add_read_store_option(CLI::App& command, std::string& store) {
 
 CLI::Option* add_store_option(CLI::App& command, std::string& store, const std::string& what) {
     return command.add_option("--store", store, "store (an SQLite file): " + what);
+}
+
+void add_format_option(CLI::App& command, std::string& format) {
+    command.add_option("--format", format, "the format of what is printed")
+        ->check(
+            CLI::IsMember({reports::ci_markdown, reports::ci_github, reports::ci_bencher, reports::ci_junit}))
+        ->excludes(command.get_option("--json"));
+}
+
+int print_comparison(const measure::RecordComparison& found, const std::string& old_name, bool json,
+                     const std::string& format, const std::string& before) {
+    const std::string text = json             ? to_json(found)
+                             : format.empty() ? before + to_text(found, old_name)
+                                              : reports::ci_text(found, format, old_name);
+    fmt::print("{}", json ? text : input::shown_text(text));
+    return found.exit_code();
 }
 
 CLI::Option* add_svg_option(CLI::App& command, std::string& file) {

@@ -13,6 +13,7 @@
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/input/count.hpp"
+#include "edgewise/measure/record/comparison.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/sweep/plan.hpp"
@@ -114,6 +115,13 @@ CLI::Option* add_read_store_option(CLI::App& command, std::string& store);
 /// --store of a command that also runs without one, or writes it.
 CLI::Option* add_store_option(CLI::App& command, std::string& store, const std::string& what);
 
+/// --format of a comparison of records; none: text for people. Not with --json.
+void add_format_option(CLI::App& command, std::string& format);
+/// Prints a comparison with a record's file: as JSON, in the format, or as text after a line `before`.
+/// Returns the exit code.
+int print_comparison(const measure::RecordComparison& found, const std::string& old_name, bool json,
+                     const std::string& format = {}, const std::string& before = {});
+
 /// --svg FILE.
 CLI::Option* add_svg_option(CLI::App& command, std::string& file);
 
@@ -147,7 +155,8 @@ CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
 /// --parameter NAME=NUMBER, as often as wanted.
 CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters);
 /// "rotation_step=0.1"; throws CLI::ValidationError.
-void take_parameter(const std::string& text, scene::SceneParameters& parameters);
+void take_parameter(const std::string& text, scene::SceneParameters& parameters,
+                    const char* option = "--parameter");
 
 /// --needs: what is asked of every answer.
 void add_needs_option(CLI::App& command, std::function<void(Needs)> take, Needs usual);

@@ -45,6 +45,7 @@ bench::RunnerOptions options_of(const CellChoice& choice, const bench::TableOpti
 }
 
 scene::NamedShape shape_of(const CellChoice& choice) {
+    if (choice.body) return *choice.body;
     auto shape = scene::named_shape(choice.shape, {.as_stored = choice.as_stored});
     if (!shape.warning.empty() && choice.warn) choice.warn(shape.warning);
     return std::move(shape).or_throw();

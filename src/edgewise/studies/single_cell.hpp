@@ -27,6 +27,7 @@ struct CellChoice {
     std::string peer = {};    ///< another library, as for select_peer_types, instead of table and algorithm
     std::size_t checked = 0;  ///< answers to be compared with exact ones
     bool as_stored = false;   ///< of a shape that is a mesh file (scene::MeshReading)
+    std::optional<scene::NamedShape> body = {};         ///< taken instead of the named shape, in its own size
     std::function<void(const std::string&)> warn = {};  ///< called with what is odd about the mesh file
 };
 

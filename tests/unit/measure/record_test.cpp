@@ -69,31 +69,18 @@ TEST(Record, IsTheSameWhenItIsReadAgain) {
     EXPECT_THAT(to_json(lock), AllOf(HasSubstr("\"bytes\": 24000,"), testing::Not(HasSubstr("slack"))));
 }
 
-const json old_gate = json::parse(R"({"gate": 1, "machine": "m", "build": {"compiler": "c"}, "rounds": 17,
-    "queries": 200, "slack": 0.1, "entries": [{"algorithm": "gjk", "table": "lean_f64", "scene": "cold",
-    "shape": "cube8", "axes": "", "over": "reference", "ratio": 1, "low": 0.9, "high": 1.1}]})");
-const json old_machine = json::parse(R"({"edgewise_machine_record": 1, "machine": "m", "times": "measured",
-    "cpu": {}, "caches": [], "rows": [{"scene": "cold", "parameters": {}, "shape": "cube8",
-    "algorithm": "gjk", "table": "lean_f64", "ratio": 1, "low": 0.9, "high": 1.1, "bytes_per_edge": null}]})");
-const json old_lock = json::parse(R"({"edgewise_lock": 1, "of": {}, "figures": {"bytes": 1}})");
-
-/// Files of version 0.1 are understood to the end, or refused.
-TEST(Record, OfAnEarlierVersionHasNoMemberThatNobodyKnows) {
-    for (const json& whole : {old_gate, old_machine, old_lock}) {
-        EXPECT_EQ(complaint(whole.dump()), "");
-        for (const char* place : {"", "/entries/0", "/build", "/rows/0"}) {
-            json changed = whole;
-            const json::json_pointer at(place);
-            if (!changed.contains(at)) continue;
-            changed[at]["slak"] = 1;
-            EXPECT_THAT(complaint(changed.dump()), HasSubstr("'slak' is not a member of")) << place;
-        }
-    }
-    json changed = old_gate;
-    changed["entries"][0]["over"] = "rest";
-    EXPECT_THAT(complaint(changed.dump()), HasSubstr("unknown ratio 'rest'"));
-    changed["entries"][0]["over"] = 3;
-    EXPECT_THAT(complaint(changed.dump()), HasSubstr("write it again"));
+/// Locks of version 0.1 are understood to the end, or refused; other records of that version say what to do.
+TEST(Record, OfAnEarlierVersionIsReadOrRefused) {
+    EXPECT_EQ(complaint(R"({"edgewise_lock": 1, "of": {}, "figures": {"bytes": 1}})"), "");
+    EXPECT_THAT(complaint(R"({"edgewise_lock": 1, "of": {}, "slak": 1})"),
+                HasSubstr("'slak' is not a member of"));
+    for (const char* old : {R"({"gate": 1, "entries": []})", R"({"edgewise_machine_record": 1, "rows": []})"})
+        EXPECT_THAT(complaint(old), AllOf(HasSubstr("version 0.1"), HasSubstr("write it again"))) << old;
+    const FigureRecord of_lock = parse_record(
+        R"({"edgewise_lock": 1, "of": {"points": "1000", "tree": "k-d"},
+            "figures": {"bytes": 24000, "lines_per_query": 14.1, "knee_bytes": 0}})",
+        "mine.json", "lock");
+    EXPECT_EQ(to_json(of_lock), to_json(lock));
 }
 
 /// Without slack every difference is one; each is named with both values, in the lock's order.
@@ -144,6 +131,57 @@ TEST(Record, WithSlackFailsWhereItBecameWorse) {
     EXPECT_TRUE(compare(speed, now).passed());
 }
 
+/// Limits of the old record decide before its other rules, each figure by the first pattern that matches.
+TEST(Record, LimitsSayHowFarAFigureMayGo) {
+    FigureRecord old = lock;
+    old.rows = {{"", "bytes", 1000}, {"", "misses.L1", 10}, {"", "misses.L2", 10}, {"", "steps", 5}};
+    old.limits = {{"bytes", {}, 1200}, {"misses.L1", 0.5, {}}, {"misses.*", 0.1, 14}};
+    EXPECT_EQ(json::parse(to_json(old))["limits"],
+              json::parse(R"({"bytes": {"hard": 1200}, "misses.L1": {"soft": 0.5},
+                              "misses.*": {"soft": 0.1, "hard": 14}})"));
+    EXPECT_EQ(to_json(parse_record(to_json(old), "mine.json", "lock")), to_json(old));
+    const auto outcome = [&](std::size_t row, double value) {
+        FigureRecord now = old;
+        now.rows[row].value = value;
+        const RecordComparison found = compare(old, now);
+        return lines(found).empty() ? "equal"
+                                    : lines(found)[0].substr(0, lines(found)[0].find(' ')) + " " +
+                                          std::to_string(found.exit_code());
+    };
+    EXPECT_EQ(outcome(0, 1200), "within 0") << "only a hard limit: it may grow up to that";
+    EXPECT_EQ(outcome(0, 1201), "over 3");
+    EXPECT_EQ(outcome(0, 999), "better 0");
+    EXPECT_EQ(outcome(1, 14), "within 0") << "the first soft limit, and the hard one of the other pattern";
+    EXPECT_EQ(outcome(1, 14.1), "over 3");
+    EXPECT_EQ(outcome(2, 11), "within 0");
+    EXPECT_EQ(outcome(2, 11.1), "worse 1");
+    EXPECT_EQ(outcome(3, 4), "changed 1") << "no limit: it must stay";
+}
+
+TEST(Record, LimitsAreNamedAndRefused) {
+    FigureRecord old = lock;
+    old.limits = {{"bytes", {}, 24100}};
+    FigureRecord now = old;
+    now.rows[0].value = 24101;
+    EXPECT_THAT(to_text(compare(old, now), "mine.json"),
+                HasSubstr("over: bytes: was 24000, is 24101\n    hard limit 24100\n"));
+    EXPECT_THAT(
+        complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"c": {"soft": 1}}})"),
+        HasSubstr("limits.c: the record has no such figure"));
+    EXPECT_THAT(complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"b": {"sof": 1}}})"),
+                HasSubstr("did you mean 'soft'"));
+    EXPECT_THAT(
+        complaint(R"({"edgewise_record": "lock", "figures": {"b": 1}, "limits": {"b": {"soft": -1}}})"),
+        HasSubstr("limits.b.soft: needs a number from 0 on"));
+    FigureRecord timed = speed;
+    timed.limits = {{"time", 0.5, 3}};
+    now = speed;
+    now.rows[0] = interval_row("gjk a", 1.3, 1.4, 1.5);
+    EXPECT_TRUE(compare(timed, now).passed()) << "beyond the slack, within the limit";
+    now.rows[0] = interval_row("gjk a", 3.1, 3.2, 3.3);
+    EXPECT_EQ(compare(timed, now).exit_code(), 3);
+}
+
 TEST(Record, ALoneCellIsOneRowAndFailsNothing) {
     FigureRecord now = speed;
     for (std::size_t i : {2, 3}) now.rows[i].cell = "gjk fresh";
@@ -169,38 +207,6 @@ TEST(Record, AnotherMachineIsAPossibleCause) {
     found.faults = {"wrong answers: gjk a"};
     EXPECT_EQ(found.exit_code(), 1);
     EXPECT_THAT(to_text(found, "old.json"), HasSubstr("failed: wrong answers: gjk a\n"));
-}
-
-TEST(Record, OfAnEarlierVersionIsRead) {
-    const FigureRecord of_lock = parse_record(
-        R"({"edgewise_lock": 1, "of": {"points": "1000", "tree": "k-d"},
-            "figures": {"bytes": 24000, "lines_per_query": 14.1, "knee_bytes": 0}})",
-        "mine.json", "lock");
-    EXPECT_EQ(to_json(of_lock), to_json(lock));
-    const FigureRecord baseline = parse_record(
-        R"({"gate": 1, "machine": "m", "build": {"git_revision": "r", "compiler": "c", "flags": "f",
-            "build_type": "b"}, "rounds": 17, "queries": 1000, "slack": 0.25, "entries": [
-            {"algorithm": "gjk", "table": "t", "scene": "cold", "shape": "cube8", "axes": "batch=yes",
-             "over": "reference", "ratio": 2, "low": 1.5, "high": 3}]})",
-        "mine.json", "speed");
-    EXPECT_EQ(baseline.slack, 0.25);
-    EXPECT_EQ(baseline.condition("queries", "f"), "1000");
-    ASSERT_EQ(baseline.rows.size(), 1u);
-    EXPECT_EQ(baseline.rows[0].cell, "gjk t cold cube8 batch=yes");
-    EXPECT_EQ(baseline.rows[0].figure, "time over reference");
-    EXPECT_THAT((std::vector{baseline.rows[0].low, baseline.rows[0].value, baseline.rows[0].high}),
-                ElementsAre(1.5, 2, 3));
-    const FigureRecord machine = parse_record(
-        R"({"edgewise_machine_record": 1, "machine": "m", "times": "measured", "cpu": {"name": "m", "cores": 4},
-            "caches": [{"level": "L1D", "bytes": 32768, "ways": 8}], "rows": [
-            {"scene": "s", "parameters": {"b": 1.0, "a": 2.0}, "shape": "cube8", "algorithm": "gjk",
-             "table": "t", "ratio": 2, "low": 1.5, "high": 3, "bytes_per_edge": 10.5}]})",
-        "mine.json", "machine");
-    ASSERT_EQ(machine.rows.size(), 2u);
-    EXPECT_EQ(machine.rows[0].cell, R"(s {"a":2.0,"b":1.0} cube8 gjk t)");
-    EXPECT_EQ(machine.rows[1].value, 10.5);
-    EXPECT_THAT(machine.with, testing::Contains(std::pair<std::string, std::string>("cpu.cores", "4")));
-    EXPECT_THAT(complaint(R"({"gate": 1, "machine": "m"})"), HasSubstr("write it again"));
 }
 
 TEST(Record, SaysWhatAFileNeeds) {

@@ -113,8 +113,9 @@ TEST(Export, IsTheSameAsJson) {
 
 TEST(Export, OfWhatIsNotThereIsOneLine) {
     EXPECT_THAT(line_thrown_by({.scenes = {"nope"}}),
-                HasSubstr("no scene 'nope' in the store; it has: cold, tumble"));
-    EXPECT_THAT(line_thrown_by({.layouts = {"soa"}}), HasSubstr("no layout or table type 'soa'"));
+                HasSubstr("unknown scene of the store 'nope'; known: cold, tumble"));
+    EXPECT_THAT(line_thrown_by({.layouts = {"soa"}}),
+                HasSubstr("unknown layout or table type of the store 'soa'"));
     EXPECT_THAT(line_thrown_by({.figures = {"time.*", "nope.*"}}), HasSubstr("matches 'nope.*'"));
 }
 

@@ -130,6 +130,20 @@ measure::TouchedTables touched_tables(std::span<const TableMap> maps, const meas
     return result;
 }
 
+ComponentPlaces::ComponentPlaces(std::span<const TableMap> maps) {
+    for (const TableMap& map : maps) pieces_.insert(pieces_.end(), map.pieces.begin(), map.pieces.end());
+    std::ranges::sort(pieces_, {}, &MappedPiece::offset);
+}
+
+std::optional<std::string_view> ComponentPlaces::at(std::uint64_t address) const {
+    const auto after = std::ranges::upper_bound(pieces_, address, {}, &MappedPiece::offset);
+    if (after == pieces_.begin()) return std::nullopt;
+    const MappedPiece& piece = *(after - 1);
+    const std::uint64_t within = address - piece.offset;
+    if (within >= piece.stride * piece.count) return std::nullopt;
+    return component_names[static_cast<std::size_t>(component_at(piece, within % piece.stride))];
+}
+
 FeatureHeat::FeatureHeat(std::span<const TableMap> maps) : maps_(maps.begin(), maps.end()) {
     std::map<std::uint64_t, Stretch> by_address;
     for (const TableMap& map : maps_) {

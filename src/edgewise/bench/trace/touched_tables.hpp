@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "edgewise/bench/runner.hpp"
@@ -36,6 +37,17 @@ namespace edgewise::bench {
 /// Returns the pieces that identify a table's features of a kind: element i of a piece belongs to feature
 /// i mod n. Empty if the table has no such piece.
 [[nodiscard]] std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind);
+
+/// Finds the component of a byte of tables by its address.
+class ComponentPlaces {
+  public:
+    explicit ComponentPlaces(std::span<const TableMap> maps);
+    /// Returns the component's name; nothing if the byte lies in no piece of a table.
+    [[nodiscard]] std::optional<std::string_view> at(std::uint64_t address) const;
+
+  private:
+    std::vector<MappedPiece> pieces_;  ///< by address
+};
 
 /// Counts the reads of each vertex, edge and face.
 class FeatureHeat final : public measure::TraceListener {

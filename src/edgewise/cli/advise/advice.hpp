@@ -4,7 +4,6 @@
 // its two forms. The keys of its JSON are those of the report's answer.
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,10 +26,6 @@ struct Advice {
     std::vector<std::string> left_out;   ///< what no time was left for; what the user named first
     std::vector<std::string> not_asked;  ///< what else was left out, and why
 };
-
-/// Measures it in so many seconds: a line to `say` for each step. What there is no time for is left out, and
-/// named.
-void measure_advice(Advice& advice, double seconds, const std::function<void(const std::string&)>& say);
 
 /// Sentences on what would change the advice; none where nothing is taken.
 [[nodiscard]] std::vector<std::string> changes_of(const Advice& advice);

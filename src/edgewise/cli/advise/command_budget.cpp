@@ -31,7 +31,8 @@ struct BudgetArguments {
 
 constexpr input::CountRange budget_range{4, 100'000, "vertices"};
 
-constexpr std::size_t counts[] = {4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+constexpr std::size_t usual_counts[] = {4,  6,   8,   12,  16,  24,  32,  48,  64,
+                                        96, 128, 192, 256, 384, 512, 768, 1024};
 
 struct Row {
     SmallerBody body;
@@ -58,7 +59,8 @@ bool is_within(const BudgetArguments& options, const SmallerBody& answer) {
 std::vector<Row> rows_of(const BudgetArguments& options, const Polyhedron& body,
                          const std::optional<SmallerBody>& answer, const bench::TableType& type) {
     std::vector<Row> rows;
-    for (SmallerBody& smaller : studies::advise::smaller_bodies(body, {std::begin(counts), std::end(counts)}))
+    for (SmallerBody& smaller :
+         studies::advise::smaller_bodies(body, {std::begin(usual_counts), std::end(usual_counts)}))
         rows.push_back({std::move(smaller), {}});
     if (answer && answer->vertices.size() < body.vertex_count()) {
         const auto place = std::ranges::find_if(

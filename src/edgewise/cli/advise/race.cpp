@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/cli/advise/race.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
-#include "edgewise/cli/advise/race_sweep.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
+#include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/prediction.hpp"
 
 namespace edgewise::cli {
@@ -18,6 +26,111 @@ using studies::advise::CaseAsked;
 using studies::advise::RaceCost;
 using studies::advise::RacePlan;
 using studies::advise::ScreenedCell;
+namespace fs = std::filesystem;
+
+/// The scenes of such a sweep: the case, and few bodies that fit the cache.
+constexpr const char *case_scene = "advise_case", *small_scene = "advise_in_cache";
+
+/// Removed at the end with all that it holds.
+class WorkFolder {
+  public:
+    WorkFolder() : path_(fs::temp_directory_path() / fmt::format("edgewise-advise-{}", getpid())) {
+        fs::create_directories(path_);
+    }
+    ~WorkFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+
+    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::string write(const std::string& name, const nlohmann::json& json) const {
+        std::ofstream(file(name)) << json.dump();
+        return file(name);
+    }
+
+  private:
+    fs::path path_;
+};
+
+/// A process of the race: a sweep of this program over the raced cells' tables and algorithms, into a store
+/// of its own in a folder that goes with the race.
+struct RaceSweep {
+    std::vector<std::string> tables, algorithms;  ///< every table with every algorithm that it serves
+    std::vector<std::string> machines;            ///< to model the caches of
+    std::size_t queries = 3000, checked = 100;
+    int rounds = 0;
+    bool times_in_cache = false, traces = false;  ///< in addition to timing the case
+    std::string store;
+};
+
+std::string comma_list(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
+/// Returns the scene with three bodies and one table, if it has such parameters.
+sweep::SceneChoice in_cache(const CaseAsked& asked) {
+    sweep::SceneChoice scene = asked.scene;
+    const auto known = scene::complete_parameters(scene.name, {}).or_throw();
+    if (known.contains("bodies")) scene.parameters["bodies"] = 3;
+    if (known.contains("own_tables")) scene.parameters["own_tables"] = 0;
+    return scene;
+}
+
+std::string scene_file(const char* name, const CaseAsked& asked, const sweep::SceneChoice& scene,
+                       const WorkFolder& folder) {
+    const std::string shape = asked.mesh.empty() ? asked.shape.name : fs::absolute(asked.mesh).string();
+    return folder.write(std::string(name) + ".json", {{"scene", scene.name},
+                                                      {"shapes", {shape}},
+                                                      {"needs", to_string(asked.needs)},
+                                                      {"parameters", scene.parameters}});
+}
+
+/// Every table and algorithm of these cells.
+RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
+    std::set<std::string> tables, algorithms;
+    for (const auto& cell : cells) {
+        tables.insert(cell.type->name);
+        algorithms.insert(cell.algorithm);
+    }
+    RaceSweep sweep;
+    sweep.tables.assign(tables.begin(), tables.end());
+    sweep.algorithms.assign(algorithms.begin(), algorithms.end());
+    return sweep;
+}
+
+/// Returns the command. It ends the process after this number of seconds.
+std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& asked, const WorkFolder& folder,
+                                    double seconds) {
+    // coreutils' timeout ends it when the time is over; Ctrl-C still ends both.
+    std::vector<std::string> command = {"timeout",
+                                        "--foreground",
+                                        "--signal=KILL",
+                                        fmt::format("{:.3f}", seconds),
+                                        fs::read_symlink("/proc/self/exe").string(),
+                                        "sweep",
+                                        "--no-report"};
+    const auto option = [&](const char* name, const std::string& value) {
+        command.insert(command.end(), {name, value});
+    };
+    option("--store", sweep.store);
+    option("--layouts", comma_list(sweep.tables));
+    option("--algorithms", comma_list(sweep.algorithms));
+    option("--queries", std::to_string(sweep.queries));
+    option("--checked", std::to_string(sweep.checked));
+    option("--rounds", std::to_string(sweep.rounds));
+    option("--seed", std::to_string(asked.seed));
+    option("--probes", sweep.traces ? "time,error,bytes,lines,caches" : "time,error,bytes");
+    if (sweep.traces) {
+        option("--caches", "all");
+        option("--machines", comma_list(sweep.machines));
+    }
+    if (asked.as_stored) command.emplace_back("--as-stored");
+    option("--scenes", scene_file(case_scene, asked, scene_of(asked), folder));
+    if (sweep.times_in_cache) command.push_back(scene_file(small_scene, asked, in_cache(asked), folder));
+    return command;
+}
 
 /// Of the race's time, a process that models machines is planned to take one.
 constexpr double parts_of_time = 8;

@@ -103,7 +103,7 @@ std::string man_page(const CLI::App& app) {
     }
     return text +
            ".SH EXIT STATUS\n0 done; 1 a check failed, nothing was compared, or the run was stopped; 2 wrong "
-           "usage, bad\ninput, or output that could not be written.\n";
+           "usage, bad\ninput, or output that could not be written; 3 a figure is over the hard limit of a record.\n";
 }
 
 /// The commands' paths in quotes, with this between them.

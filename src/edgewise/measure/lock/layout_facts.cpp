@@ -3,18 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <utility>
 
 #include "edgewise/measure/cache/scene_caches.hpp"
+#include "edgewise/measure/lock/lock_program.hpp"
 
 namespace edgewise::measure {
 
 namespace {
-
-double mean(std::uint64_t sum, std::uint64_t queries) {
-    return static_cast<double>(sum) / static_cast<double>(queries);
-}
 
 ByStart<std::optional<std::uint64_t>> knees(const ReuseOf& lines, const ByStart<LinesTouched>& queries) {
     const auto of = [&](const MissCurve& curve, std::uint64_t touched,
@@ -25,22 +21,6 @@ ByStart<std::optional<std::uint64_t>> knees(const ReuseOf& lines, const ByStart<
     return {of(lines.steady.all, lines.with_scene.all, queries.all),
             of(lines.steady.cold, lines.with_scene.cold, queries.cold),
             of(lines.steady.warm, lines.with_scene.warm, queries.warm)};
-}
-
-void add_misses(const LayoutFacts& facts, const LayoutFacts::Machine& machine, std::string& text) {
-    each_population(facts.lines, [&](std::string_view suffix, const auto& of) {
-        const std::uint64_t queries = of(facts.lines).queries;
-        for (const LevelMisses& level : of(machine.steady).caches) {
-            fmt::format_to(std::back_inserter(text), "{} {} misses per query{}: {:.4f}", machine.name,
-                           level.level, suffix, mean(level.misses.all(), queries));
-            for (std::size_t i = 0; i < facts.fields.size(); ++i) {
-                if (level.by_field[i] > 0)
-                    fmt::format_to(std::back_inserter(text), "  {} {:.4f}", facts.fields[i],
-                                   mean(level.by_field[i], queries));
-            }
-            text += '\n';
-        }
-    });
 }
 
 }  // namespace
@@ -84,16 +64,17 @@ Expected<LayoutFacts> measure_layout(const TouchTrace& trace, std::span<const Ca
 
 std::string to_text(const LayoutFacts& facts) {
     std::string text;
-    const auto out = std::back_inserter(text);
-    for (const ComponentBytes& part : facts.bytes)
-        fmt::format_to(out, "bytes.{}: {}\n", part.component, part.bytes);
-    fmt::format_to(out, "distinct lines of 64 bytes: {}\n", facts.distinct_lines);
+    for (const RecordRow& row : lock_of(facts).rows) text += fmt::format("{}: {}\n", row.figure, row.value);
     each_population(facts.lines, [&](std::string_view suffix, const auto& of) {
-        const LinesTouched& sums = of(facts.lines);
-        fmt::format_to(out, "queries{0}: {1}\nlines per query{0}: {2:.4f}\nknee{0}: {3} bytes\n", suffix,
-                       sums.queries, mean(sums.lines, sums.queries), of(facts.knee_bytes).value_or(0));
+        const auto queries = static_cast<double>(of(facts.lines).queries);
+        for (const LayoutFacts::Machine& machine : facts.machines)
+            for (const LevelMisses& level : of(machine.steady).caches)
+                for (std::size_t i = 0; i < facts.fields.size(); ++i)
+                    if (level.by_field[i] > 0)
+                        text += fmt::format("misses_per_query.{}.{}{} of {}: {}\n", machine.name, level.level,
+                                            suffix, facts.fields[i],
+                                            static_cast<double>(level.by_field[i]) / queries);
     });
-    for (const LayoutFacts::Machine& machine : facts.machines) add_misses(facts, machine, text);
     return text;
 }
 

@@ -64,7 +64,7 @@ void each_population(const ByStart<LinesTouched>& lines, Use use) {
             std::string_view(".warm"), [](const auto& by_start) -> const auto& { return by_start.warm; });
 }
 
-/// A page for people: bytes, lines, knees, misses by level and field.
+/// A page for people: the figures of a lock, and misses by level and field.
 [[nodiscard]] std::string to_text(const LayoutFacts& facts);
 
 }  // namespace edgewise::measure

@@ -35,7 +35,7 @@ struct CallgrindCounts {
 /// Refused if the machine has one level only, or a number of sets that is no power of two.
 [[nodiscard]] Expected<CacheGeometry> callgrind_geometry(const CacheMachine& machine);
 
-/// The command line. Nothing is collected before the program toggles collection (cli/command_pass.cpp).
+/// The command line. Nothing is collected before the program toggles collection (cli/command_crosscheck.cpp).
 [[nodiscard]] std::vector<std::string> callgrind_command(const CacheGeometry& geometry,
                                                          const std::filesystem::path& output,
                                                          const std::vector<std::string>& program);

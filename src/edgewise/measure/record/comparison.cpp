@@ -16,21 +16,26 @@ namespace edgewise::measure {
 
 namespace {
 
-constexpr const char* outcome_names[] = {"worse", "changed", "missing", "new", "better", "within", "equal"};
+constexpr const char* outcome_names[] = {"over", "worse",  "changed", "missing",
+                                         "new",  "better", "within",  "equal"};
 constexpr std::size_t most_lines = 20;  ///< of one outcome that does not fail; the rest is counted
 
 const char* name_of(Outcome outcome) { return outcome_names[static_cast<std::size_t>(outcome)]; }
 
-Outcome outcome_of(const RecordRow& was, const RecordRow& is, const std::optional<double>& slack) {
+Outcome outcome_of(const RecordRow& was, const RecordRow& is, const FigureRecord& old) {
     if (was.text != is.text) return Outcome::changed;
-    if (!slack) return was.value == is.value ? Outcome::equal : Outcome::changed;
+    const auto soft = old.bound_of(was.figure, &Limit::soft), hard = old.bound_of(was.figure, &Limit::hard);
+    if (hard && (is.has_interval ? is.low : is.value) > *hard) return Outcome::over;
+    const bool may_grow = hard && !soft;
+    if (!soft && !hard && !old.slack) return was.value == is.value ? Outcome::equal : Outcome::changed;
     if (was.has_interval || is.has_interval) {
-        const double limit = 1 + *slack;
-        if (is.low > was.high * limit) return Outcome::worse;
+        const double limit = 1 + soft.value_or(old.slack.value_or(0));
+        if (is.low > was.high * limit) return may_grow ? Outcome::within : Outcome::worse;
         return is.high < was.low / limit ? Outcome::better : Outcome::within;
     }
     if (is.value == was.value) return Outcome::equal;
-    return is.value > was.value ? Outcome::worse : Outcome::better;
+    if (is.value < was.value) return Outcome::better;
+    return may_grow || is.value <= was.value * (1 + soft.value_or(0)) ? Outcome::within : Outcome::worse;
 }
 
 /// Rows of one record, by cell and figure. Conditions of what was measured are rows of words.
@@ -77,31 +82,12 @@ std::string value_text(const RecordRow& row) {
                             : fmt::format("{}", row.value);
 }
 
-std::string row_text(const ComparedRow& row) {
-    std::string line = fmt::format("{}: {}{}{}", name_of(row.outcome), row.is.cell,
-                                   row.is.cell.empty() || row.is.figure.empty() ? "" : ": ", row.is.figure);
-    const bool is_cell = row.is.figure.empty();
-    if (!is_cell)
-        line +=
-            fmt::format(": was {}, is {}", row.outcome == Outcome::added ? "nothing" : value_text(row.was),
-                        row.outcome == Outcome::missing ? "nothing" : value_text(row.is));
-    const bool in_both = row.outcome != Outcome::missing && row.outcome != Outcome::added;
-    if (in_both && row.is.has_interval && row.was.has_interval)
-        line +=
-            fmt::format(", x {:.3f} [{:.3f}, {:.3f}]", row.change(), row.least_change(), row.most_change());
-    return line + "\n" + (row.note.empty() ? "" : "    " + row.note + "\n");
-}
-
-bool fails(const RecordComparison& comparison, Outcome outcome) {
-    return outcome <= Outcome::changed || (comparison.must_stay && outcome <= Outcome::added);
-}
-
 std::string rows_text(const RecordComparison& comparison) {
     std::string text;
     std::map<Outcome, std::size_t> shown;
     for (const ComparedRow& row : comparison.rows) {
         if (row.outcome >= Outcome::within) break;
-        if (fails(comparison, row.outcome) || shown[row.outcome]++ < most_lines) text += row_text(row);
+        if (comparison.fails(row) || shown[row.outcome]++ < most_lines) text += to_text(row);
     }
     for (const auto& [outcome, count] : shown)
         if (count > most_lines)
@@ -165,9 +151,18 @@ std::size_t RecordComparison::compared() const {
     return rows.size() - count(Outcome::missing) - count(Outcome::added);
 }
 
+bool RecordComparison::fails(const ComparedRow& row) const {
+    return row.outcome <= Outcome::changed || (must_stay && row.outcome <= Outcome::added);
+}
+
 bool RecordComparison::passed() const {
     return faults.empty() && compared() > 0 &&
-           std::ranges::none_of(rows, [&](const ComparedRow& row) { return fails(*this, row.outcome); });
+           std::ranges::none_of(rows, [&](const ComparedRow& row) { return fails(row); });
+}
+
+int RecordComparison::exit_code() const {
+    if (count(Outcome::over) > 0) return 3;
+    return passed() ? 0 : 1;
 }
 
 RecordComparison compare(const FigureRecord& was, const FigureRecord& is) {
@@ -176,7 +171,9 @@ RecordComparison compare(const FigureRecord& was, const FigureRecord& is) {
     for (const RecordRow& row : before.rows()) {
         const RecordRow* now = after.find(row);
         if (!now) continue;
-        found.rows.push_back({row, *now, outcome_of(row, *now, was.slack)});
+        found.rows.push_back({row, *now, outcome_of(row, *now, was)});
+        if (found.rows.back().outcome == Outcome::over)
+            found.rows.back().note = fmt::format("hard limit {}", *was.bound_of(row.figure, &Limit::hard));
         if (!row.note.empty() || !now->note.empty())
             found.rows.back().note = fmt::format("was {}; is {}", row.note, now->note);
     }
@@ -187,6 +184,21 @@ RecordComparison compare(const FigureRecord& was, const FigureRecord& is) {
         return std::tuple(a.outcome, weight(a)) < std::tuple(b.outcome, weight(b));
     });
     return found;
+}
+
+std::string to_text(const ComparedRow& row) {
+    std::string line = fmt::format("{}: {}{}{}", name_of(row.outcome), row.is.cell,
+                                   row.is.cell.empty() || row.is.figure.empty() ? "" : ": ", row.is.figure);
+    const bool is_cell = row.is.figure.empty();
+    if (!is_cell)
+        line +=
+            fmt::format(": was {}, is {}", row.outcome == Outcome::added ? "nothing" : value_text(row.was),
+                        row.outcome == Outcome::missing ? "nothing" : value_text(row.is));
+    const bool in_both = row.outcome != Outcome::missing && row.outcome != Outcome::added;
+    if (in_both && row.is.has_interval && row.was.has_interval)
+        line +=
+            fmt::format(", x {:.3f} [{:.3f}, {:.3f}]", row.change(), row.least_change(), row.most_change());
+    return line + "\n" + (row.note.empty() ? "" : "    " + row.note + "\n");
 }
 
 std::string to_text(const RecordComparison& comparison, const std::string& old_name) {

@@ -6,7 +6,8 @@
 //
 // A figure with an interval is worse where the whole interval lies above the old one's by more than the
 // slack: noise widens intervals, and a difference inside them is no regression. An exact figure is worse
-// where it grew at all. In a record without slack every difference counts.
+// where it grew at all. In a record without slack every difference counts. Limits of the old record come
+// before both rules.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +20,13 @@
 namespace edgewise::measure {
 
 enum class Outcome : std::uint8_t {
+    over,  ///< above the hard limit
     worse,
     changed,  ///< of a word, or of a figure that must stay the same
     missing,  ///< only the old record has it
     added,    ///< only the new record has it
     better,
-    within,  ///< a difference that intervals and slack allow
+    within,  ///< a difference that intervals, slack and limits allow
     equal,
 };
 
@@ -53,10 +55,13 @@ struct RecordComparison {
 
     [[nodiscard]] std::size_t count(Outcome outcome) const;
     [[nodiscard]] std::size_t compared() const;  ///< rows that both records have
-    /// Returns true if there is no fault, something was compared, no row is worse or changed, and no row that
-    /// must stay is missing or new.
+    /// Returns true for a row that is over, worse or changed, and for one that must stay and is missing or
+    /// new.
+    [[nodiscard]] bool fails(const ComparedRow& row) const;
+    /// Returns true if there is no fault, something was compared, and no row fails.
     [[nodiscard]] bool passed() const;
-    [[nodiscard]] int exit_code() const { return passed() ? 0 : 1; }
+    /// 3 if a figure is over its hard limit, else 1 if it did not pass.
+    [[nodiscard]] int exit_code() const;
 };
 
 /// Compares two records, with the slack of the old record. A cell that is in one record only gets one row.
@@ -65,6 +70,9 @@ struct RecordComparison {
 /// A line for each row that differs, worst first, then conditions, and at the end what was found. `old_name`:
 /// the old record's file.
 [[nodiscard]] std::string to_text(const RecordComparison& comparison, const std::string& old_name);
+
+/// The line of one row, and its note as a second one.
+[[nodiscard]] std::string to_text(const ComparedRow& row);
 
 /// {"passed", "compared", "worse": n, ..., "rows": [{"outcome", "cell", "figure", "was", "is", "note"}],
 /// "conditions": [{"what", "was", "is"}], "faults"} in one line; a value with an interval is [low, value,

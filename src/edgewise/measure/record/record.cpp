@@ -2,6 +2,7 @@
 #include "edgewise/measure/record/record.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,33 @@ Conditions conditions_in(const Json& json, const char* member) {
     return all;
 }
 
+/// Null where there is no such member; `path`: what the member is in.
+std::optional<double> number_in(const Json& json, const char* member, const std::string& path = {}) {
+    if (!json.contains(member)) return std::nullopt;
+    if (!json[member].is_number() || json[member] < 0)
+        throw RecordFault{fmt::format("{}{}: needs a number from 0 on", path, member)};
+    return json[member].get<double>();
+}
+
+bool matches(const Limit& limit, const std::string& figure) {
+    return ::fnmatch(limit.figures.c_str(), figure.c_str(), 0) == 0;
+}
+
+std::vector<Limit> limits_in(const Json& json, const std::vector<RecordRow>& rows) {
+    std::vector<Limit> limits;
+    const Json& members = object_in(json, "limits");
+    for (const auto& [figures, none] : members.items()) {
+        const Json& bounds = object_in(members, figures);
+        refuse_unknown(bounds, "a limit", {"soft", "hard"});
+        const std::string path = fmt::format("limits.{}.", figures);
+        limits.push_back({figures, number_in(bounds, "soft", path), number_in(bounds, "hard", path)});
+        if (std::ranges::none_of(rows,
+                                 [&](const RecordRow& row) { return matches(limits.back(), row.figure); }))
+            throw RecordFault{fmt::format("limits.{}: the record has no such figure", figures)};
+    }
+    return limits;
+}
+
 bool is_interval(const Json& json) {
     if (!json.is_array() || json.size() != 3 || !std::ranges::all_of(json, &Json::is_number)) return false;
     return 0 <= json[0] && json[0] <= json[1] && json[1] <= json[2] && json[1] > 0;
@@ -90,84 +118,28 @@ FigureRecord record_in(const Json& json, std::string_view kind) {
     if (!json.is_object()) throw RecordFault{"needs an object"};
     const Json is = json.value("edgewise_record", Json());
     if (!is.is_string()) throw RecordFault{"edgewise_record: needs the kind of record, such as \"lock\""};
-    refuse_unknown(json, "a record", {"edgewise_record", "of", "with", "slack", "figures", "cells"});
+    refuse_unknown(json, "a record",
+                   {"edgewise_record", "of", "with", "slack", "limits", "figures", "cells"});
     FigureRecord record{
         is.get<std::string>(), conditions_in(json, "of"), conditions_in(json, "with"), {}, {}};
     if (!kind.empty() && record.kind != kind)
         throw RecordFault{fmt::format("a record of kind '{}'; needs one of kind '{}'", record.kind, kind)};
-    if (json.contains("slack")) {
-        if (!json["slack"].is_number() || json["slack"] < 0)
-            throw RecordFault{"slack: needs a number from 0 on"};
-        record.slack = json["slack"].get<double>();
-    }
+    record.slack = number_in(json, "slack");
     for (const auto& [figure, value] : object_in(json, "figures").items())
         record.rows.push_back(row_in("", figure, value));
     const Json& cells = object_in(json, "cells");
     for (const auto& [cell, figures] : cells.items())
         for (const auto& [figure, value] : object_in(cells, cell).items())
             record.rows.push_back(row_in(cell, figure, value));
+    record.limits = limits_in(json, record.rows);
     return record;
 }
 
-std::string text_of(const Json& json) { return json.is_string() ? json.get<std::string>() : json.dump(); }
-
-/// A baseline of speed as version 0.1 wrote it: a list of ratios.
-Json from_gate(const Json& old) {
-    refuse_unknown(old, "a baseline", {"gate", "machine", "build", "rounds", "queries", "slack", "entries"});
-    Json cells = Json::object(), with = Json::object();
-    for (const Json& entry : old.at("entries")) {
-        refuse_unknown(entry, "an entry",
-                       {"algorithm", "table", "scene", "shape", "axes", "over", "ratio", "low", "high"});
-        std::string cell = entry.at("algorithm").get<std::string>();
-        for (const char* part : {"table", "scene", "shape", "axes"})
-            if (const auto word = entry.at(part).get<std::string>(); !word.empty()) cell += " " + word;
-        const auto over = entry.at("over").get<std::string>();
-        if (over != "reference" && over != "kernel")
-            throw RecordFault{fmt::format("over: unknown ratio '{}'; known: reference, kernel", over)};
-        cells[cell]["time over " + over] = {entry.at("low"), entry.at("ratio"), entry.at("high")};
-    }
-    with["machine"] = text_of(old.at("machine"));
-    refuse_unknown(old.at("build"), "a build", {"git_revision", "compiler", "flags", "build_type"});
-    for (const auto& [part, value] : old.at("build").items()) with[part] = text_of(value);
-    with["rounds"] = text_of(old.at("rounds"));
-    return {{"edgewise_record", "speed"},
-            {"of", {{"queries", text_of(old.at("queries"))}}},
-            {"with", with},
-            {"slack", old.at("slack")},
-            {"cells", cells}};
-}
-
-/// A machine record as version 0.1 wrote it: a list of cells.
-Json from_machine(const Json& old) {
-    refuse_unknown(old, "a machine record",
-                   {"edgewise_machine_record", "machine", "times", "cpu", "caches", "rows"});
-    Json cells = Json::object(), with = Json::object();
-    for (const Json& row : old.at("rows")) {
-        refuse_unknown(
-            row, "a row",
-            {"scene", "parameters", "shape", "algorithm", "table", "ratio", "low", "high", "bytes_per_edge"});
-        // Names of parameters in alphabetical order, as stores have them.
-        const std::string parameters = nlohmann::json::parse(row.at("parameters").dump()).dump();
-        Json& figures =
-            cells[row.at("scene").get<std::string>() + " " + parameters + " " +
-                  row.at("shape").get<std::string>() + " " + row.at("algorithm").get<std::string>() + " " +
-                  row.at("table").get<std::string>()];
-        figures["time ratio"] = {row.at("low"), row.at("ratio"), row.at("high")};
-        if (!row.at("bytes_per_edge").is_null()) figures["bytes per edge"] = row.at("bytes_per_edge");
-    }
-    with["machine"] = text_of(old.at("machine"));
-    with["times"] = text_of(old.at("times"));
-    for (const auto& [name, value] : old.at("cpu").items()) with["cpu." + name] = text_of(value);
-    for (const Json& cache : old.at("caches"))
-        with["cache." + text_of(cache.at("level"))] = text_of(cache.at("bytes")) + " bytes";
-    return {{"edgewise_record", "machine"}, {"with", with}, {"cells", cells}};
-}
-
-/// In the form of today. Throws nlohmann::json::exception where an old record is not whole.
+/// A lock of version 0.1 in the form of today; other records of that version are refused.
 Json in_this_form(const Json& json) {
     const auto is_old = [&](const char* name) { return json.is_object() && json.value(name, Json()) == 1; };
-    if (is_old("gate")) return from_gate(json);
-    if (is_old("edgewise_machine_record")) return from_machine(json);
+    if (is_old("gate") || is_old("edgewise_machine_record"))
+        throw RecordFault{"a record of version 0.1, whose form is no longer read: write it again"};
     if (!is_old("edgewise_lock")) return json;
     Json lock = {{"edgewise_record", "lock"}};
     for (const auto& [name, value] : json.items())
@@ -183,11 +155,22 @@ const std::string& FigureRecord::condition(std::string_view name, const std::str
     throw std::runtime_error(fmt::format("{}: of.{}: needs a text", file, name));
 }
 
+std::optional<double> FigureRecord::bound_of(const std::string& figure,
+                                             std::optional<double> Limit::*bound) const {
+    for (const Limit& limit : limits)
+        if (limit.*bound && matches(limit, figure)) return limit.*bound;
+    return std::nullopt;
+}
+
 std::string to_json(const FigureRecord& record) {
     Json json = {{"edgewise_record", record.kind}};
     if (!record.of.empty()) json["of"] = conditions_json(record.of);
     if (!record.with.empty()) json["with"] = conditions_json(record.with);
     if (record.slack) json["slack"] = number_json(*record.slack);
+    for (const Limit& limit : record.limits) {
+        if (limit.soft) json["limits"][limit.figures]["soft"] = number_json(*limit.soft);
+        if (limit.hard) json["limits"][limit.figures]["hard"] = number_json(*limit.hard);
+    }
     for (const RecordRow& row : record.rows)
         (row.cell.empty() ? json["figures"] : json["cells"][row.cell])[row.figure] = row_json(row);
     return input::json_text(json, 2) + "\n";
@@ -200,8 +183,6 @@ FigureRecord parse_record(const std::string& json, const std::string& file, std:
         return record_in(in_this_form(*parsed), kind);
     } catch (const RecordFault& fault) {
         throw std::runtime_error(fmt::format("{}: {}", file, fault.text));
-    } catch (const nlohmann::json::exception&) {
-        throw std::runtime_error(file + ": a record of an earlier version, and not whole; write it again");
     }
 }
 

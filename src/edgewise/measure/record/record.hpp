@@ -7,10 +7,11 @@
 //      "of": {"queries": "1000"},
 //      "with": {"compiler": "GNU 12.2"},
 //      "slack": 0.1,
+//      "limits": {"bytes.*": {"soft": 0.02, "hard": 16000}},
 //      "figures": {"bytes.nodes.point": 12000},
 //      "cells": {"gjk lean_f64 cold cube8": {"time over reference": [0.51, 0.52, 0.55]}}}
 //
-// Every member but the first is optional. Files of the forms that earlier versions wrote are read too.
+// Every member but the first is optional. Locks in the form that version 0.1 wrote are read too.
 #pragma once
 
 #include <optional>
@@ -33,6 +34,14 @@ struct RecordRow {
     std::string note = {};             ///< shown next to a difference, not compared and not kept in files
 };
 
+/// A bound of the figures whose names match a pattern such as "misses_per_query.zen5.*" (man 7 glob). Of
+/// several limits for one figure the first counts, for soft and hard separately.
+struct Limit {
+    std::string figures = {};
+    std::optional<double> soft = {};  ///< the part of itself by which a figure may grow before it is worse
+    std::optional<double> hard = {};  ///< the value above which a figure is over the limit
+};
+
 using Conditions = std::vector<std::pair<std::string, std::string>>;
 
 struct FigureRecord {
@@ -43,7 +52,12 @@ struct FigureRecord {
     /// every figure must stay the same.
     std::optional<double> slack;
     std::vector<RecordRow> rows;
+    /// A figure with a limit may also shrink; with only a hard one it may grow up to that.
+    std::vector<Limit> limits = {};
 
+    /// Returns the bound that counts for a figure; null if no limit has one.
+    [[nodiscard]] std::optional<double> bound_of(const std::string& figure,
+                                                 std::optional<double> Limit::*bound) const;
     /// A member of `of`; throws std::runtime_error that names the file when it is not there.
     [[nodiscard]] const std::string& condition(std::string_view name, const std::string& file) const;
 };

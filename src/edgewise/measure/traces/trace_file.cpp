@@ -2,6 +2,7 @@
 #include "edgewise/measure/traces/trace_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "edgewise/input/known_names.hpp"
 
@@ -204,6 +206,59 @@ void DinWriter::on_access(const TracedAccess& access) {
     stream_->write(line, end - line);
 }
 
+DataProfile::DataProfile(std::span<const CacheMachine> machines) : machines_(machines) {
+    for (const CacheMachine& machine : machines)
+        for (const LevelGeometry& level : machine.caches.levels)
+            events_.push_back(machine.name + "_" + level.name);
+}
+
+void DataProfile::start_object(const std::string& name, ComponentOf component_of) {
+    object_ = name;
+    component_of_ = std::move(component_of);
+    models_.clear();
+    for (const CacheMachine& machine : machines_) models_.emplace_back(machine.caches);
+    last_query_.clear();
+}
+
+void DataProfile::start_steady() {
+    std::erase_if(costs_, [&](const auto& cost) { return std::get<0>(cost.first) == object_; });
+}
+
+void DataProfile::on_access(const TracedAccess& access) {
+    std::vector<std::uint64_t>& costs =
+        costs_[{object_, std::string(component_of_(access)), access.step, access.field}];
+    costs.resize(events_.size());
+    ++costs[access.kind == AccessKind::read ? 0 : 1];
+    if (access.side != TraceSide::scene)
+        access.for_each_unit(line_bytes, [&](std::uint64_t line) {
+            std::uint64_t& last = last_query_[2 * line + static_cast<std::uint64_t>(access.side)];
+            costs[2] += std::exchange(last, query_) != query_;
+        });
+    std::size_t event = 3;
+    for (CacheModel& model : models_) {
+        for (std::size_t i = 0; i < model.counts().size(); ++i) costs[event + i] -= model.counts(i).misses;
+        model.access(access.address, access.bytes, access.kind);
+        for (std::size_t i = 0; i < model.counts().size(); ++i) costs[event++] += model.counts(i).misses;
+    }
+}
+
+std::string DataProfile::text(std::span<const std::string_view> steps) const {
+    std::string text =
+        fmt::format("# callgrind format\nversion: 1\ncreator: edgewise\npositions: line\nevents: {}\n",
+                    fmt::join(events_, " "));
+    std::vector<std::uint64_t> totals(events_.size());
+    std::string last;
+    for (const auto& [place, costs] : costs_) {
+        const auto& [object, component, step, field] = place;
+        std::string function = fmt::format("\nob={}\nfl={}\nfn={}\n", object, component, steps[step]);
+        if (function != last) text += function;
+        last = std::move(function);
+        text += fmt::format("{} {}\n", field + 1, fmt::join(costs, " "));
+        for (std::size_t i = 0; i < costs.size(); ++i) totals[i] += costs[i];
+    }
+    return text + fmt::format("\ntotals: {}\n", fmt::join(totals, " "));
+}
+
 TraceCaches::TraceCaches(std::span<const CacheMachine> machines) {
     for (const CacheMachine& machine : machines) {
         std::vector<CacheModel>& models = machines_.emplace_back();
@@ -213,6 +268,7 @@ TraceCaches::TraceCaches(std::span<const CacheMachine> machines) {
 }
 
 void TraceCaches::access(const FileAccess& access) {
+    ++(access.kind == AccessKind::read ? reads_ : writes_);
     for (std::vector<CacheModel>& models : machines_)
         for (CacheModel& model : models) model.access(access.address, access.bytes, access.kind);
     const std::uint64_t last = (access.address + (access.bytes - 1)) / line_bytes;

@@ -18,8 +18,11 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -70,10 +73,45 @@ class DinWriter final : public TraceListener {
     std::ostream* stream_;
 };
 
+/// Costs of data in the format of Callgrind, for KCachegrind and callgrind_annotate, which show code: here a
+/// file is a component of a structure, a function is a step, and a line is a field, from 1 on. Events: reads,
+/// writes, distinct lines of 64 bytes that each query reads of tables, and misses by level of each machine.
+/// Each object has caches of its own.
+class DataProfile final : public TraceListener {
+  public:
+    using ComponentOf = std::function<std::string_view(const TracedAccess&)>;
+
+    explicit DataProfile(std::span<const CacheMachine> machines);
+
+    /// Starts an object, such as a cell; later accesses are its own. component_of: the name of the component.
+    void start_object(const std::string& name, ComponentOf component_of);
+    /// Forgets the costs of the object, not the contents of its caches: a second pass is the steady state.
+    void start_steady();
+
+    void on_access(const TracedAccess& access) override;
+    void on_query_end(bool /*counts*/) override { ++query_; }
+
+    /// Returns the file. `steps`: their names, by number.
+    [[nodiscard]] std::string text(std::span<const std::string_view> steps) const;
+    [[nodiscard]] bool is_empty() const { return costs_.empty(); }
+
+  private:
+    using Place = std::tuple<std::string, std::string, std::uint8_t, std::uint8_t>;
+
+    std::span<const CacheMachine> machines_;
+    std::vector<std::string> events_ = {"Reads", "Writes", "Lines"};
+    std::map<Place, std::vector<std::uint64_t>> costs_;  ///< by object, component, step and field
+    std::string object_;
+    ComponentOf component_of_;
+    std::vector<CacheModel> models_;
+    std::unordered_map<std::uint64_t, std::uint64_t> last_query_;  ///< by side and line
+    std::uint64_t query_ = 1;
+};
+
 /// A trace from elsewhere through the caches of several machines at once, and through reuse distances. Sets
 /// are found by the addresses as the file has them; caches are empty at its beginning. It knows no queries,
 /// so the trace as a whole is what the knee is of.
-class TraceCaches {
+class TraceCaches final : public TraceListener {
   public:
     /// One level, of caches or TLBs.
     struct Level {
@@ -84,6 +122,11 @@ class TraceCaches {
     explicit TraceCaches(std::span<const CacheMachine> machines);
 
     void access(const FileAccess& access);
+    void on_access(const TracedAccess& at) override { access({at.address, at.bytes, at.kind}); }
+    void on_query_end(bool /*counts*/) override {}
+
+    [[nodiscard]] std::uint64_t reads() const { return reads_; }
+    [[nodiscard]] std::uint64_t writes() const { return writes_; }
 
     /// Levels of machine number `machine`: caches from the first level on, then TLBs.
     [[nodiscard]] std::vector<Level> levels(std::size_t machine) const;
@@ -100,6 +143,7 @@ class TraceCaches {
     std::vector<std::vector<CacheModel>> machines_;  ///< caches of each machine, then its known TLBs
     std::unordered_map<std::uint64_t, std::uint64_t> numbers_;  ///< of lines, in order of first use
     std::uint64_t last_line_ = 0, last_number_ = 0;             ///< of the last access
+    std::uint64_t reads_ = 0, writes_ = 0;
     ReuseDistance reuse_;
 };
 

@@ -14,7 +14,7 @@
 namespace edgewise::studies {
 
 /// Returns the hidden command that runs one pass to warm up, then the number of passes to be counted, and
-/// nothing else (cli/command_pass.cpp).
+/// nothing else (cli/command_crosscheck.cpp).
 [[nodiscard]] std::vector<std::string> pass_command(const CellChoice& choice, const std::string& program,
                                                     int passes);
 
