@@ -19,7 +19,7 @@
 
 namespace edgewise::truth {
 
-/// Closed sets: touching is distance exactly 0 without the interior contact of common_interior.hpp.
+/// Closed sets: touching is distance exactly 0 without a common interior.
 enum class ExactVerdict { separated, touching, overlapping };
 
 [[nodiscard]] constexpr std::string_view to_string(ExactVerdict verdict) {

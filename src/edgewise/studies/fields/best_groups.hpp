@@ -7,7 +7,7 @@
 // decides which of them share a line, is found by exchanging two at a time.
 //
 // Vertical partitioning by affinity (Navathe et al., 1984; Chilimbi, Davidson and Larus, 1999, for
-// structures) takes the counts of co_access.hpp for a model of the cost. We count the lines themselves.
+// structures) takes the counts of CoAccess for a model of the cost. We count the lines themselves.
 #pragma once
 
 #include <optional>

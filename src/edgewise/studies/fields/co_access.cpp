@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/fields/co_access.hpp"
+#include "edgewise/studies/fields/fields.hpp"
 
 #include <bit>
 #include <map>

@@ -21,10 +21,28 @@
 #include "edgewise/measure/cache/cache_machine.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/store/rows.hpp"
-#include "edgewise/studies/fields/co_access.hpp"
+#include "edgewise/studies/fields/field_trace.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
+
+/// [a][b] and [b][a]: number of times that fields a and b were both read; [a][a]: that field a was read.
+using FieldCounts = std::vector<std::vector<std::uint64_t>>;
+
+/// Reads of two fields together. They may share a line only if a step reads both of the same record.
+struct CoAccess {
+    FieldCounts by_query;                  ///< queries
+    FieldCounts by_step;                   ///< steps
+    FieldCounts by_record;                 ///< records in steps; 0 for fields of different records
+    std::uint64_t queries = 0, steps = 0;  ///< steps: those that read of a table
+
+    /// Returns the share of the reads of a or b that read both (Jaccard); 0 if neither is read.
+    [[nodiscard]] static double overlap(const FieldCounts& counts, std::size_t a, std::size_t b);
+};
+
+/// Counts which fields are read together. Reads before a query's first step form a step of their own. Fields
+/// of a pair's two tables count as the same fields, but never share a record.
+[[nodiscard]] CoAccess co_access(const FieldTrace& trace);
 
 // Cost of a trace: distinct lines of tables per query, and the modelled misses of several machines in
 // their steady state. Traces of tables that were built and of predicted tables are counted in the same
