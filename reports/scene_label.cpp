@@ -154,6 +154,14 @@ bool has_own_tables(const ReportCell& cell) {
     return scene_kind(cell) == "pressure" || parameter_of(cell, "own_tables") == 1;
 }
 
+bool is_near_contact(const ReportCell& cell) {
+    constexpr double widest_gap = 0.01;
+    const std::string kind = scene_kind(cell);
+    const double gap = parameter_of(cell, "gap").value_or(-1);
+    return (kind == "proximity" || (kind == "gap" && parameter_of(cell, "span") == 0)) && gap >= 0 &&
+           gap <= widest_gap;
+}
+
 std::string scene_sentence(const ReportCell& cell) {
     return fmt::format("{}; {}", motion_of(cell),
                        has_own_tables(cell) ? "a table for each body" : "one shared table");

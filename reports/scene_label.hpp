@@ -40,6 +40,9 @@ struct SceneStandard {
 /// Returns true if every body has a table of its own, false if all share one.
 [[nodiscard]] bool has_own_tables(const ReportCell& cell);
 
+/// Returns true if every pair is placed at most a hundredth of the bodies' size apart.
+[[nodiscard]] bool is_near_contact(const ReportCell& cell);
+
 /// Returns "100 bodies drift and turn by 0.1 rad per step, followed from step to step; one shared table".
 [[nodiscard]] std::string scene_sentence(const ReportCell& cell);
 

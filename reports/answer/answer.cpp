@@ -11,6 +11,7 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
+#include "edgewise/reports/scene_label.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -162,7 +163,7 @@ Baseline baseline_of(const ReportData& data) {
 
 std::vector<const SceneRanking*> Answer::scenes() const {
     std::vector<const SceneRanking*> all;
-    for (const auto* from : {&shared, &own})
+    for (const auto* from : {&shared, &own, &near})
         for (const SceneRanking& scene : *from) all.push_back(&scene);
     return all;
 }
@@ -177,14 +178,18 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     for (const std::string& key : stored.order) {
         const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
         if (!cells) continue;
+        const ReportCell& any = *cells->front();
+        if (any.shape == answer.shape)
+            answer.source = any.shape_source.substr(0, any.shape_source.find(", "));
         SceneRanking scene = rank_scene(*cells, question.error_limit, answer.baseline);
         if (!scene.cells.empty()) scenes.push_back(std::move(scene));
     }
     check_contests(scenes);
     for (SceneRanking& scene : scenes) {
-        if (scene.own_tables != question.own_tables.value_or(scene.own_tables)) continue;
+        const bool near = is_near_contact(*scene.cells.front().cell);
+        if (!near && scene.own_tables != question.own_tables.value_or(scene.own_tables)) continue;
         if (scene.shape == answer.shape) answer.vertices = scene.vertices;
-        (scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
+        (near ? answer.near : scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
     }
     return answer;
 }
@@ -202,10 +207,6 @@ const RankedCell& Recommendation::example() const {
     for (const InScene& one : scenes)
         if (one.ties && (!best || one.cell->ratio < best->ratio)) best = one.cell;
     return *best;
-}
-
-bool Recommendation::is(const Baseline& baseline) const {
-    return algorithm == baseline.algorithm && table == baseline.table;
 }
 
 bool Recommendation::beats_baseline_somewhere() const {
@@ -232,7 +233,8 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
         if (!scene.recommends() || (any_quiet && scene.too_noisy)) continue;
         for (const RankedCell& one : scene.cells) {
             Tally& tally = tallies[{one.cell->algorithm, one.table}];
-            ++(scene.ties_with_winner(one) ? tally.ties : tally.losses);
+            const bool fast = scene.winner() && one.ratio <= fast_ratio * scene.winner()->ratio;
+            ++(fast && scene.ties_with_winner(one) ? tally.ties : tally.losses);
             tally.choices += &one == scene.choice();
             tally.bytes = one.bytes_per_edge.value_or(tally.bytes);
         }
@@ -244,7 +246,7 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
     Recommendation take{best->first.first, best->first.second, {}};
     take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
     for (const SceneRanking& scene : scenes) {
-        if (!scene.winner() || !scene.recommends()) continue;
+        if (!scene.winner() || !scene.recommends() || (any_quiet && scene.too_noisy)) continue;
         const RankedCell* cell = scene.find(take.algorithm, take.table);
         take.scenes.push_back({&scene, cell, cell && scene.ties_with_winner(*cell)});
     }

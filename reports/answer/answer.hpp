@@ -57,15 +57,17 @@ struct CellCounts {
 struct Answer {
     Question question;
     std::string shape;          ///< the one asked for, or the reference shape
+    std::string source;         ///< of that shape: "built-in", or the mesh file's name
     std::int64_t vertices = 0;  ///< of that shape
     Baseline baseline;
     std::vector<SceneRanking> shared;  ///< scenes with one shared table, in the order of the cells
     std::vector<SceneRanking> own;     ///< scenes with a table for each body
+    std::vector<SceneRanking> near;    ///< scenes near contact, with one shared table
     CellCounts counts;
     std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
     Gaps gaps;
 
-    [[nodiscard]] std::vector<const SceneRanking*> scenes() const;  ///< shared, then own
+    [[nodiscard]] std::vector<const SceneRanking*> scenes() const;  ///< shared, own, near
 };
 
 /// Returns the baseline that the store's meta names, and "vclip x aos_f64" if it names none.
@@ -85,16 +87,15 @@ struct Recommendation {
         const RankedCell* cell;  ///< null: not measured in this scene
         bool ties;               ///< with the winner, or it is the winner
     };
-    std::vector<InScene> scenes;  ///< one for each scene that has a winner and recommends something
+    std::vector<InScene> scenes;             ///< one for each scene that counts and has a winner
     std::optional<double> worst_error = {};  ///< over all scenes that recommend something
 
     [[nodiscard]] const RankedCell& example() const;  ///< the scene where it ties with the smallest ratio
-    [[nodiscard]] bool is(const Baseline& baseline) const;
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
-/// Returns the cell that ties in most scenes, then is beaten in fewest, then is the choice of most,
-/// then has the smallest tables. Noisy scenes count only if all are too noisy; scenes that recommend
-/// nothing never count. Null if no scene with a winner is left.
+/// Returns the cell that ties in most scenes and takes at most `fast_ratio` times as long as the winner
+/// there, then is the choice of most, then has the smallest tables. Noisy scenes count only if all are too
+/// noisy; scenes that recommend nothing never count. Null if no scene with a winner is left.
 [[nodiscard]] std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes);
 
 /// Returns the largest error of this table type in the scenes that recommend something; null if it has none.

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
@@ -82,55 +81,6 @@ AnswerJson dropped_json(const SceneRanking& scene) {
     return dropped;
 }
 
-/// Adds the fastest of the dropped cells that is faster than the winner without a tie, or ties and is
-/// smaller.
-void add_larger_limit(const std::vector<SceneRanking>& scenes, const SceneRanking& scene,
-                      std::vector<std::string>& changes) {
-    for (const RankedCell& one : scene.cells) {
-        if (one.meets_error()) continue;
-        const auto worst_error = worst_error_of(scenes, one.cell->algorithm, one.table);
-        if (!worst_error || !scene.winner()) continue;
-        const RankedCell& winner = *scene.winner();
-        const bool smaller = one.bytes_per_edge && winner.bytes_per_edge &&
-                             *one.bytes_per_edge < *winner.bytes_per_edge &&
-                             ties(one.range(), winner.range(), scene.own_variation);
-        const bool faster =
-            one.ratio < winner.ratio && !ties(winner.range(), one.range(), scene.own_variation);
-        if (!smaller && !faster) continue;
-        changes.push_back(
-            fmt::format("an error of {} or more allowed: {}, {} of the paper's time, {} bytes per edge",
-                        number_text(*worst_error, "scale"), one.name(), ratio_text(one),
-                        one.bytes_per_edge ? number_text(*one.bytes_per_edge, "B/edge") : "?"));
-        return;
-    }
-}
-
-/// Adds the limit below which the recommended cell is dropped.
-void add_smaller_limit(const Recommendation& take, std::vector<std::string>& changes) {
-    if (take.worst_error && *take.worst_error > 0)
-        changes.push_back(fmt::format("an error below {} asked for: {} is dropped",
-                                      number_text(*take.worst_error, "scale"), take.example().name()));
-}
-
-void add_other_tables(const Answer& answer, const std::vector<SceneRanking>& scenes,
-                      const Recommendation& take, std::vector<std::string>& changes) {
-    const bool own = scenes.front().own_tables;
-    const std::vector<SceneRanking>& others = own ? answer.shared : answer.own;
-    const char* condition = own ? "one table for all bodies" : "a table for each body";
-    const std::optional<Recommendation> other = recommendation_of(others);
-    if (!other) {
-        changes.push_back(fmt::format("{}: not measured here", condition));
-        return;
-    }
-    if (other->algorithm == take.algorithm && other->table == take.table) return;
-    const SceneRanking& scene = shown_scene(*other);
-    const RankedCell* here = scene.find(take.algorithm, take.table);
-    std::string text = fmt::format("{}: {}, {} of the paper's time", condition, other->example().name(),
-                                   ratio_text(other->example()));
-    if (here) text += fmt::format("; {} then takes {}", here->name(), ratio_text(*here));
-    changes.push_back(text);
-}
-
 }  // namespace
 
 AnswerJson ranked_json(const RankedCell& cell) {
@@ -144,20 +94,11 @@ AnswerJson ranked_json(const RankedCell& cell) {
             {"error", or_null(cell.worst_error)}};
 }
 
-std::vector<std::string> what_changes_it(const Answer& answer, const std::vector<SceneRanking>& scenes) {
-    std::vector<std::string> changes;
-    const std::optional<Recommendation> take = recommendation_of(scenes);
-    if (!take) return changes;
-    add_other_tables(answer, scenes, *take, changes);
-    add_larger_limit(scenes, shown_scene(*take), changes);
-    add_smaller_limit(*take, changes);
-    return changes;
-}
-
 std::string advise_command(const Answer& answer, std::optional<bool> own_tables) {
     if (!own_tables) own_tables = answer.question.own_tables;
     std::string command = "edgewise advise";
-    if (answer.vertices > 0) command += fmt::format(" --vertices {}", answer.vertices);
+    if (!answer.source.empty())
+        command += " --shape " + (answer.source == "built-in" ? answer.shape : answer.source);
     if (own_tables) command += *own_tables ? " --own-tables" : " --shared-tables";
     return command + " --error " + limit_text(answer.question.error_limit);
 }
@@ -189,7 +130,6 @@ AnswerJson answer_json(const Answer& answer) {
     json["take"]["beats_baseline"] = take->beats_baseline_somewhere();
     json["next"] = next_json(shown, take->example());
     json["dropped"] = dropped_json(shown);
-    json["changes_it"] = what_changes_it(answer, scenes);
     return json;
 }
 

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
@@ -19,155 +19,8 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Smallest and largest value over some scenes.
-struct Range {
-    std::optional<double> low, high;
-
-    void add(double value) {
-        low = std::min(low.value_or(value), value);
-        high = std::max(high.value_or(value), value);
-    }
-    [[nodiscard]] std::string text() const {
-        const std::string from = fmt::format("{:.2f}", *low), to = fmt::format("{:.2f}", *high);
-        return from == to ? from : from + " to " + to;
-    }
-};
-
-std::string condition_of(bool own_tables) {
-    return own_tables ? "If every body has a table of its own" : "If your bodies share a table";
-}
-
-/// Returns "139 bytes per edge instead of 234, worst error 2e-7".
-std::string costs(const Recommendation& take) {
-    const RankedCell& cell = take.example();
-    const RankedCell* baseline = take.scenes.front().scene->baseline();
-    std::string text;
-    if (cell.bytes_per_edge) {
-        text = number_text(*cell.bytes_per_edge, "B/edge") + " bytes per edge";
-        if (baseline && baseline->bytes_per_edge && baseline->bytes_per_edge != cell.bytes_per_edge)
-            text += " instead of " + number_text(*baseline->bytes_per_edge, "B/edge");
-    }
-    if (take.worst_error) append(text, "worst error " + number_text(*take.worst_error, "scale"));
-    return text;
-}
-
-/// Compares the best GJK with the choice, over the scenes of the take.
-std::string gjk_sentence(const Recommendation& take) {
-    if (take.algorithm == "gjk") return {};
-    Range range;
-    for (const Recommendation::InScene& one : take.scenes) {
-        const RankedCell* gjk = one.scene->best("gjk");
-        if (gjk && one.cell) range.add(gjk->ratio / one.cell->ratio);
-    }
-    if (!range.low) return " No GJK is within the error.";
-    return fmt::format(" The best GJK within the error takes {} times as long.", range.text());
-}
-
-/// Returns "600 tables take 5.8 MiB instead of 154 MiB".
-std::string memory_sentence(const Recommendation& take) {
-    const RankedCell* most = nullptr;
-    const RankedCell* beside = nullptr;
-    for (const Recommendation::InScene& one : take.scenes) {
-        if (!one.ties || !one.cell->scene_bytes || !one.cell->tables) continue;
-        if (most && *one.cell->tables <= *most->tables) continue;
-        most = one.cell, beside = one.scene->baseline();
-    }
-    if (!most || *most->tables < 2) return {};
-    std::string text = fmt::format(" {:.0f} tables take {}", *most->tables, size_text(*most->scene_bytes));
-    if (beside && beside != most && beside->scene_bytes)
-        text += fmt::format(" instead of {}", size_text(*beside->scene_bytes));
-    return text + ".";
-}
-
-/// Names the scenes where another cell wins.
-std::string exceptions(const Recommendation& take) {
-    std::string text;
-    for (const Recommendation::InScene& one : take.scenes) {
-        const RankedCell& winner = *one.scene->winner();
-        if (one.ties || !one.scene->beats_baseline) continue;
-        const std::string against = one.cell ? fmt::format(" and this one {}", ratio_text(*one.cell)) : "";
-        append(text,
-               fmt::format("{}: {} takes {}{}", one.scene->label, winner.name(), ratio_text(winner), against),
-               "; ");
-    }
-    return text.empty() ? text : " Elsewhere: " + text + ".";
-}
-
-/// Names the scenes in which the winner's own interval is too wide to decide.
-std::string noisy_sentence(const std::vector<SceneRanking>& scenes) {
-    std::string names;
-    for (const SceneRanking& scene : scenes)
-        if (scene.too_noisy) append(names, scene.label);
-    if (names.empty()) return names;
-    return fmt::format(
-        " Too noisy to choose by, the winner's interval spans more than a factor of 2: {}. "
-        "Measure these again on a machine with nothing else to do.",
-        names);
-}
-
-std::string scene_count(std::size_t count) { return plural(count, "scene"); }
-
-/// Says where the choice beats the baseline and by how much, or that nothing beats it.
-std::string ratios_sentence(const Recommendation& take) {
-    Range faster;
-    std::size_t wins = 0, tied = 0;
-    const RankedCell* only = nullptr;
-    for (const Recommendation::InScene& one : take.scenes) {
-        if (!one.ties) continue;
-        if (!one.scene->beats_baseline) {
-            ++tied;
-            continue;
-        }
-        ++wins, only = one.cell;
-        faster.add(one.cell->ratio);
-    }
-    if (wins == 0) return {};
-    std::string text = fmt::format(" A query takes {} of the time of the paper's layout",
-                                   wins == 1 ? ratio_text(*only) : faster.text());
-    if (wins > 1 || tied > 0) text += fmt::format(" in {}", scene_count(wins));
-    if (tied > 0) text += fmt::format(", and what it takes there to within noise in {}", scene_count(tied));
-    return text + ".";
-}
-
-AdviceText keep_baseline(const Recommendation& take, const Answer& answer, bool own_tables) {
-    const std::string scenes = plural(take.scenes.size(), "scene");
-    const std::string paper = fmt::format("{} on the paper's layout ({})",
-                                          algorithm_title(answer.baseline.algorithm), answer.baseline.table);
-    if (take.is(answer.baseline))
-        return {fmt::format("{}, keep {}.", condition_of(own_tables), paper),
-                fmt::format("Nothing beats it by more than noise in {}.", scenes)};
-    const RankedCell& chosen = take.example();
-    return {
-        fmt::format("{}, nothing beats the paper's layout ({} on {}): take {}.", condition_of(own_tables),
-                    algorithm_title(answer.baseline.algorithm), answer.baseline.table, chosen.name()),
-        fmt::format("It ties in {} of {}. It has {}.",
-                    std::ranges::count_if(take.scenes, &Recommendation::InScene::ties), scenes, costs(take))};
-}
-
-AdviceText take_winner(const Recommendation& take, bool own_tables) {
-    const std::string cost = costs(take);
-    return {fmt::format("{}, take {}.", condition_of(own_tables), take.example().name()),
-            (cost.empty() ? "" : "It has " + cost + ".") + ratios_sentence(take)};
-}
-
-/// Says what was not measured in scenes that recommend nothing for that reason, and how to measure it.
-std::string missing_sentence(const std::vector<SceneRanking>& scenes, const Answer& answer) {
-    std::string missing;
-    for (const SceneRanking& scene : scenes) {
-        if (!scene.winner() || scene.recommends()) continue;
-        std::string cells;
-        for (const std::string& cell : scene.not_measured) append(cells, cell);
-        append(missing, fmt::format("{}: {}", scene.label, cells), "; ");
-    }
-    if (missing.empty()) return {};
-    return fmt::format("Not measured: {}. {} Measure them with: {}.", missing, contest_rule(),
-                       advise_command(answer, scenes.front().own_tables));
-}
-
 std::string conditions_of(const Answer& answer, const ReportData& data) {
-    std::string bodies = answer.vertices > 0 ? fmt::format("Bodies of {} vertices", answer.vertices)
-                                             : std::string("Bodies of the scenes");
-    return fmt::format("{}, error at most {} of their size, on {}.", bodies,
+    return fmt::format("Error at most {} of the bodies' size, on {}.",
                        limit_text(answer.question.error_limit), machine_text(data));
 }
 
@@ -179,24 +32,6 @@ std::string unfinished_sentence(const Answer& answer) {
 }
 
 }  // namespace
-
-std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes, const Answer& answer) {
-    const std::optional<Recommendation> take = recommendation_of(scenes);
-    const std::string missing = missing_sentence(scenes, answer);
-    if (!take && missing.empty()) return std::nullopt;
-    const bool own_tables = scenes.front().own_tables;
-    if (!take) return AdviceText{condition_of(own_tables) + ", nothing is recommended.", missing};
-    if (std::ranges::all_of(take->scenes,
-                            [](const Recommendation::InScene& one) { return one.scene->too_noisy; }))
-        return AdviceText{condition_of(own_tables) + ", these times are too noisy to choose by.",
-                          noisy_sentence(scenes).substr(1)};
-    AdviceText text = take->beats_baseline_somewhere() ? take_winner(*take, own_tables)
-                                                       : keep_baseline(*take, answer, own_tables);
-    if (own_tables) text.rest += memory_sentence(*take);
-    text.rest += noisy_sentence(scenes) + exceptions(*take) + gjk_sentence(*take);
-    if (!missing.empty()) text.rest += " Of other scenes nothing is recommended. " + missing;
-    return text;
-}
 
 std::string own_variation_text(const SceneRanking& scene) {
     if (!scene.own_variation.factor) return {};
@@ -216,6 +51,24 @@ std::string noise_text(const Answer& answer) {
         return fmt::format("{} ({})", own_variation_text(scene), scene.label);
     };
     return quietest == noisiest ? text(*quietest) : text(*quietest) + " to " + text(*noisiest);
+}
+
+std::vector<std::string> what_passed(const Answer& answer) {
+    const CellCounts& counts = answer.counts;
+    std::vector<std::string> passed;
+    if (counts.verified > 0)
+        passed.push_back(
+            fmt::format("{} gave the right answers to every checked query, compared with exact "
+                        "arithmetic, before they were timed.",
+                        plural(counts.verified, "cell")));
+    if (counts.stability_rows > counts.stability_failed)
+        passed.push_back(
+            fmt::format("{} of hard pairs (parallel faces, needles, far offsets, bad starts): no "
+                        "wrong verdict outside the band where rounding decides.",
+                        plural(counts.stability_rows - counts.stability_failed, "row")));
+    if (const std::string noise = noise_text(answer); !noise.empty())
+        passed.push_back(fmt::format("The baseline was timed against itself: {}.", noise));
+    return passed;
 }
 
 std::string cells_sentence(const Answer& answer) {
@@ -250,12 +103,6 @@ std::string why_sentence(const RankedCell& cell, const RankedCell& beside) {
 
 AnswerText answer_text(const Answer& answer, const ReportData& data) {
     AnswerText text;
-    for (const auto* scenes : {&answer.shared, &answer.own})
-        if (auto advice = advice_of(*scenes, answer)) text.advice.push_back(std::move(*advice));
-    if (text.advice.empty())
-        text.advice.push_back(
-            {"No cell of this store answers the question.",
-             "An answer needs cells with known errors that were timed in the same rounds as the baseline."});
     text.conditions = conditions_of(answer, data);
     const std::string noise = noise_text(answer);
     text.noise =
@@ -279,19 +126,16 @@ std::string tie_set_text(const SceneRanking& scene) {
 }
 
 std::string terminal_text(const Answer& answer, const ReportData& data) {
-    std::string text = answer_paragraph(answer, data) + "\n";
+    const Question& question = answer.question;
+    const DecisionTable table = Decisions(data, question).table(question.error_limit);
+    std::string text = table.text(question);
+    if (!table.changes.empty()) text += "\n\nWhat would change this:";
+    for (const std::string& change : table.changes) text += "\n  " + change;
+    const AnswerText about = answer_text(answer, data);
+    text += fmt::format("\n\n{} {} {}\n", about.conditions, about.noise, about.counts);
     for (const SceneRanking* scene : answer.scenes())
         text += fmt::format("\n  {}, {}: {}", scene->label, scene->shape, tie_set_text(*scene));
     return text;
-}
-
-std::string answer_paragraph(const Answer& answer, const ReportData& data) {
-    const AnswerText text = answer_text(answer, data);
-    std::string paragraph;
-    for (const AdviceText& advice : text.advice) append(paragraph, advice.lead + " " + advice.rest, " ");
-    for (const std::string* sentence : {&text.conditions, &text.noise, &text.counts})
-        append(paragraph, *sentence, " ");
-    return paragraph;
 }
 
 namespace {

@@ -10,28 +10,17 @@
 
 namespace edgewise::reports {
 
-/// A recommendation and its reasons.
-struct AdviceText {
-    std::string lead, rest;
-};
-
 struct AnswerText {
-    std::vector<AdviceText> advice;  ///< for a shared table, then for a table each, where these were measured
-    std::string conditions;          ///< which bodies, which error, which machine
-    std::string noise;               ///< which differences count as none, and what the intervals hold for
-    std::string counts;              ///< cells verified and failed, figures not measured
+    std::string conditions;  ///< which error, which machine
+    std::string noise;       ///< which differences count as none, and what the intervals hold for
+    std::string counts;      ///< cells verified and failed, figures not measured
 };
 
 [[nodiscard]] AnswerText answer_text(const Answer& answer, const ReportData& data);
 
-/// Returns all sentences as one paragraph.
-[[nodiscard]] std::string answer_paragraph(const Answer& answer, const ReportData& data);
-/// Returns the paragraph, and a line for the tie set of each scene.
+/// Returns the decision table, what would change it, these sentences, and a line for the tie set of each
+/// scene.
 [[nodiscard]] std::string terminal_text(const Answer& answer, const ReportData& data);
-
-/// Returns "keep V-Clip on aos_f64" and so on for one group of scenes; null if none has a winner.
-[[nodiscard]] std::optional<AdviceText> advice_of(const std::vector<SceneRanking>& scenes,
-                                                  const Answer& answer);
 
 /// Says that every planned cell is there, "1281 of 1281 planned cells verified, 0 failed", or that the sweep
 /// was stopped and how many are missing.
@@ -61,9 +50,6 @@ struct AnswerText {
 /// Returns processor, data caches and compiler target: "AMD EPYC, 32 KiB / 1 MiB / 32 MiB of cache,
 /// compiled for this processor (-march=native)".
 [[nodiscard]] std::string machine_text(const ReportData& data);
-
-/// Returns the findings: largest savings, then changes of the answer, then missing figures and a remedy.
-[[nodiscard]] std::vector<std::string> what_to_look_at(const Answer& answer);
 
 [[nodiscard]] std::vector<std::string> what_passed(const Answer& answer);
 

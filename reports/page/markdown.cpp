@@ -9,6 +9,7 @@
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/break_even_map.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/pictures/ranking_pictures.hpp"
@@ -30,12 +31,18 @@ std::string list(const std::vector<std::string>& items) {
     return out.empty() ? out : out + "\n";
 }
 
-std::string advice_markdown(const AnswerText& text) {
-    std::string out;
-    for (const AdviceText& advice : text.advice)
-        out += fmt::format("**{}** {}\n\n", markdown_text(advice.lead), markdown_text(advice.rest));
-    return out + fmt::format("{} {} {}\n\n", markdown_text(text.conditions), markdown_text(text.noise),
-                             markdown_text(text.counts));
+/// The decision table, what would change it, and what it holds for.
+std::string decisions_markdown(const ReportData& data, const Answer& answer) {
+    const DecisionTable table =
+        Decisions(data, {.error_limit = answer.question.error_limit}).table(answer.question.error_limit);
+    TextGrid grid{"", columns_of("body|shared table|a table each"), {}};
+    for (const DecisionRow& row : table.rows)
+        grid.rows.push_back(grid_row(fmt::format("{} ({} vertices)", row.shape, row.vertices),
+                                     row.shared.text(), row.own.text()));
+    const AnswerText text = answer_text(answer, data);
+    return fmt::format("**{}**\n\n{}What would change this:\n\n{}{} {} {}\n\n", markdown_text(table.sentence),
+                       grid_markdown(grid), list(table.changes), markdown_text(text.conditions),
+                       markdown_text(text.noise), markdown_text(text.counts));
 }
 
 /// Total and the paper's subtotal of the tables of one shape: the smallest, and the paper's layout.
@@ -123,8 +130,7 @@ std::string chapter_markdown(const Chapter& chapter) {
 
 std::string report_markdown(const ReportData& data, const Answer& answer, const StaticPictures& pictures,
                             const std::string& changes) {
-    const AnswerText text = answer_text(answer, data);
-    std::string out = "# Which layout, and what does it cost?\n\n" + advice_markdown(text);
+    std::string out = "# Which layout, and what does it cost?\n\n" + decisions_markdown(data, answer);
     out += grid_markdown(answer_grid(answer)) + problems_markdown(data) + changes;
     if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
     if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
@@ -132,7 +138,6 @@ std::string report_markdown(const ReportData& data, const Answer& answer, const 
     out += break_even_markdown(data, answer);
     out += headed("Bytes") + bytes_markdown(data, answer);
     for (const Chapter& chapter : study_chapters(data)) out += chapter_markdown(chapter);
-    out += headed("What to look at") + list(what_to_look_at(answer));
     out += headed("What passed") + list(what_passed(answer));
     out += headed("Method") + std::string(report_text("method.md")) + "\n";
     return out + headed("How to repeat") + repeat_markdown(data, answer);

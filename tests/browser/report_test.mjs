@@ -40,7 +40,10 @@ async function looksRight(browser) {
     const title = await page.value(`document.querySelector('h1').textContent`);
     check('it opens with the question', title.startsWith('Which layout'), title);
     check('the answer is in the first screen',
-          await page.value(`document.querySelector('.lead').getBoundingClientRect().bottom < 900`));
+          await page.value(`document.querySelector('.decision tbody tr').getBoundingClientRect().bottom < 900`));
+    check('all contenders are one click away', await page.value(`(() => { const fold = document.querySelector('#answer .contest');
+        const before = fold.querySelector('.strip').checkVisibility(); fold.querySelector('summary').click();
+        return !before && fold.querySelector('.strip').checkVisibility(); })()`));
     const names = await drawAll(page);
     check('every chart is drawn by the scripts', names.length >= 4, names.join(', '));
     const asked = page.requests.filter(request => !request.startsWith('blob:'));
@@ -193,8 +196,20 @@ async function question(page) {
     await page.until(`document.querySelector('h1').textContent.includes('1e-6')`);
     const after = await page.value(`document.getElementById('answer').textContent.trim()`);
     check('the question bar answers as the page without it', before === after);
+    await page.value(`(() => { const shape = document.getElementById('ask-shape'); shape.value = 'cube8';
+        shape.dispatchEvent(new Event('change', { bubbles: true })); })()`);
+    await page.until(`document.querySelectorAll('.decision tbody tr').length === 1`);
+    check('one body has one row', await page.value(`document.querySelector('.decision tbody th').textContent`) === 'cube88 vertices');
+    const asked = await page.value('location.hash');
+    check('the question is in the address', asked.includes('shape=cube8') && asked.includes('limit=1e-6'), asked);
+    await page.value(`(() => { for (const [name, value] of [['shape', ''], ['bodies', '5000']]) { const one = document.getElementById('ask-' + name);
+        one.value = value; one.dispatchEvent(new Event('change', { bubbles: true })); } })()`);
+    await page.until(`document.querySelectorAll('.decision tbody tr').length > 1`);
+    await page.until(`document.getElementById('ask-said').textContent.startsWith('Not measured: 5000 bodies')`);
+    check('a number of bodies that was not measured is said not to be',
+          (await page.value(`document.getElementById('ask-said').textContent`)).includes('measured were'));
     check('and names the command', (await page.value(`document.getElementById('ask-command').textContent`))
-        .startsWith('edgewise advise --vertices'));
+        .startsWith('edgewise advise --shape'));
 }
 
 /// Charts, tables and the map show what the bar says, and all of it again afterwards.
@@ -231,7 +246,7 @@ async function accessible(page) {
         .map(one => one.outerHTML.slice(0, 80))`);
     check('all that takes the focus has a name', nameless.length === 0, nameless.join(' | '));
     const tabs = await page.value(`[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex="0"]')]
-        .filter(one => one.getClientRects().length > 0 && !one.closest('.long, #card')).map(one => one.matches('a.term') ? one.hash : '')`);
+        .filter(one => one.checkVisibility() && !one.closest('.long, #card')).map(one => one.matches('a.term') ? one.hash : '')`);
     const terms = tabs.filter(hash => hash !== '');
     // All charts are drawn by now, and each has brought its menu and choices.
     check('fewer than 75 stops of the tabulator beside links to words', tabs.length - terms.length < 75, tabs.length - terms.length);
@@ -273,7 +288,7 @@ async function withoutScripts(browser) {
     const { root } = await page.send('DOM.getDocument', { depth: 1 });
     const all = async selector =>
         (await page.send('DOM.querySelectorAll', { nodeId: root.nodeId, selector })).nodeIds.length;
-    check('without scripts the answer is there', await all('.lead') > 0 && await all('.answer tbody tr') > 0);
+    check('without scripts the answer is there', await all('.lead') > 0 && await all('.decision tbody tr') > 0);
     const [charts, stills] = [await all('[data-chart]'), await all('[data-chart] svg, [data-chart] table')];
     check('and a picture or a table in place of each chart', charts > 0 && stills >= charts, `${stills} of ${charts}`);
     check('and the body with its heat', await all('#body-picture path') > 0 && await all('#body-choice[hidden]') === 1);

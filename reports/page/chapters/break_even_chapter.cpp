@@ -8,6 +8,7 @@
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/break_even_map.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/pictures/break_even_picture.hpp"

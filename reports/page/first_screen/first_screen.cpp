@@ -4,13 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -95,8 +94,6 @@ std::string row_html(const SceneRanking& scene, const StripAxis& axis, const std
     return html + number_html("worst error", row.error) + "</tr>\n";
 }
 
-}  // namespace
-
 std::string answer_rows_html(const Answer& answer) {
     std::vector<const SceneRanking*> scenes = answer.scenes();
     if (scenes.empty()) return {};
@@ -112,6 +109,8 @@ std::string answer_rows_html(const Answer& answer) {
                        fmt::arg("axis", strip_head_svg(axis)), fmt::arg("rows", rows)) +
            html_paragraph(key, "note");
 }
+
+}  // namespace
 
 TextGrid answer_grid(const Answer& answer) {
     TextGrid grid{"",
@@ -129,11 +128,30 @@ TextGrid answer_grid(const Answer& answer) {
 
 namespace {
 
-std::string title_of(const Answer& answer) {
-    const std::string bodies =
-        answer.vertices > 0 ? fmt::format("bodies of {} vertices", answer.vertices) : std::string("bodies");
-    return fmt::format("Which layout, and what does it cost? — {}, error at most {} of their size", bodies,
-                       limit_text(answer.question.error_limit));
+std::string title_of(double error_limit) {
+    return fmt::format("Which layout, and what does it cost? — error at most {} of the bodies' size",
+                       limit_text(error_limit));
+}
+
+std::string decision_cell_html(const Decision& decision, const char* group) {
+    std::string html =
+        fmt::format("<td class=\"{}\"><b>{}</b>", group,
+                    html_text(decision.take.empty() ? "nothing is recommended" : decision.take));
+    for (const std::string& fact : decision.facts)  // the worst error next to the bytes
+        html += (fact.starts_with("worst error") ? " · " : "<br>") + html_text(fact);
+    return html + "</td>";
+}
+
+/// The sentence, a row for each body, and below what would change them.
+std::string decisions_html(const DecisionTable& table) {
+    std::string rows;
+    for (const DecisionRow& row : table.rows)
+        rows += fmt::format("<tr><th scope=\"row\">{}<br><small>{} vertices</small></th>{}{}</tr>\n",
+                            html_text(row.shape), row.vertices, decision_cell_html(row.shared, "shared"),
+                            decision_cell_html(row.own, "own"));
+    return fmt::format(fmt::runtime(report_text("page.decision.html")),
+                       fmt::arg("sentence", html_text(table.sentence)), fmt::arg("rows", rows),
+                       fmt::arg("changes", html_list(table.changes, "changes")));
 }
 
 std::string runs_text(const std::vector<SweepRun>& runs) {
@@ -156,15 +174,15 @@ std::string provenance(const Answer& answer, const ReportData& data) {
 
 /// Hidden until the scripts run: without them it could not answer.
 std::string question_bar(const Answer& answer, const ReportData& data) {
-    std::string shapes, limits;
+    std::string shapes = html_option("", "all", true), limits;
     for (const auto& [vertices, shape] : shapes_by_vertices(data))
-        shapes += html_option(shape, fmt::format("{} ({})", vertices, shape), shape == answer.shape);
+        shapes += html_option(shape, fmt::format("{} ({})", vertices, shape));
     for (const double limit : offered_limits)
         limits += html_option(limit_text(limit), limit_text(limit), limit == answer.question.error_limit);
     const std::string tables =
         html_option("both", "either", true) + html_option("own", "yes") + html_option("shared", "no");
     return fmt::format(fmt::runtime(report_text("page.question.html")),
-                       fmt::arg("shape", html_select("ask-shape", "vertices", shapes)),
+                       fmt::arg("shape", html_select("ask-shape", "body", shapes)),
                        fmt::arg("tables", html_select("ask-tables", "a table each", tables)),
                        fmt::arg("limit", html_select("ask-limit", "error at most", limits)));
 }
@@ -213,37 +231,40 @@ std::string counts_html(const Answer& answer, const AnswerText& text, const Repo
 
 }  // namespace
 
-std::string answer_html(const Answer& answer, const ReportData& data) {
+std::string answer_html(const Answer& answer, const DecisionTable& table, const ReportData& data) {
     const AnswerText text = answer_text(answer, data);
-    std::string html;
-    for (const AdviceText& advice : text.advice)
-        html += fmt::format("<p class=\"lead\"><b>{}</b> {}</p>\n", html_text(advice.lead),
-                            html_text(advice.rest));
-    html += html_paragraph(text.conditions, "note");
-    return html + answer_rows_html(answer) + html_paragraph(text.noise, "note") + pictures_of(answer);
+    std::string html = decisions_html(table) + html_paragraph(text.conditions + " " + text.noise, "note");
+    if (answer.scenes().empty()) return html;
+    return html + fmt::format("<details class=\"contest\"><summary>{}</summary>\n{}{}</details>\n",
+                              html_text("All contenders, scene by scene: " + answer.shape),
+                              answer_rows_html(answer), pictures_of(answer));
 }
 
 std::string first_screen_html(const Answer& answer, const ReportData& data) {
-    const AnswerText text = answer_text(answer, data);
-    std::string html = fmt::format("<h1>{}</h1>\n", html_text(title_of(answer)));
-    html += html_paragraph(provenance(answer, data), "note") + counts_html(answer, text, data);
+    const double limit = answer.question.error_limit;
+    std::string html = fmt::format("<h1>{}</h1>\n", html_text(title_of(limit)));
     html += question_bar(answer, data);
-    html += "<section id=\"answer\" aria-live=\"polite\">\n" + answer_html(answer, data) + "</section>\n";
-    html += problems_of(data);
-    html += html_heading("look", "What to look at") + html_list(what_to_look_at(answer), "findings");
+    html += fmt::format("<section id=\"answer\" aria-live=\"polite\">\n{}</section>\n",
+                        answer_html(answer, Decisions(data).table(limit), data));
+    html += counts_html(answer, answer_text(answer, data), data);
+    html += html_paragraph(provenance(answer, data), "note") + problems_of(data);
     return html + html_heading("passed", "What passed") + html_list(what_passed(answer), "passed");
 }
 
 std::string answers_data(const ReportData& data) {
+    const Decisions decisions(data);
     nlohmann::ordered_json answers = nlohmann::ordered_json::object();
-    for (const auto& [vertices, shape] : shapes_by_vertices(data)) {
+    std::vector<std::string> shapes = {""};
+    for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
+    for (const std::string& shape : shapes) {
         for (const double limit : offered_limits) {
-            const Answer answer = answer_of(data, {.error_limit = limit, .shape = shape});
+            Question question{.error_limit = limit};
+            if (!shape.empty()) question.shape = shape;
+            const Answer answer = answer_of_scenes(data, question);
             answers[shape + " " + limit_text(limit)] = {
-                {"title", title_of(answer)},
+                {"title", title_of(limit)},
                 {"command", advise_command(answer)},
-                {"html", answer.scenes().empty() ? html_paragraph("No scene of this store has such bodies.")
-                                                 : answer_html(answer, data)}};
+                {"html", answer_html(answer, decisions.table(limit, shape), data)}};
         }
     }
     return input::json_text(answers);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page opens with: the question, the answer in a paragraph and in a table with a strip in each row,
-// time against bytes, and what failed or is missing. No script is needed for it.
+// What the page opens with: the question, the decision table, folded all contenders with a strip for each
+// scene and time against bytes, and what failed or is missing. No script is needed for it.
 #pragma once
 
 #include <string>
@@ -14,21 +14,14 @@ namespace edgewise::reports {
 /// The most scenes in full view; the page's list of cells has them all.
 inline constexpr std::size_t most_answer_rows = 12;
 
-[[nodiscard]] std::string answer_rows_html(const Answer& answer);
-
 /// Returns the answer's table as a grid without strips.
 [[nodiscard]] TextGrid answer_grid(const Answer& answer);
 
-/// Title, provenance, question bar, answer and counts.
+/// Returns title, question bar, decision table, counts and provenance.
 [[nodiscard]] std::string first_screen_html(const Answer& answer, const ReportData& data);
 
-/// The parts that follow the question: title, paragraph, table and pictures.
-[[nodiscard]] std::string answer_html(const Answer& answer, const ReportData& data);
-
-/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": {"title", "command", "html"}}.
+/// The answers to the questions that the bar offers, as JSON: {"SHAPE LIMIT": {"title", "command", "html"}};
+/// SHAPE is empty for all bodies.
 [[nodiscard]] std::string answers_data(const ReportData& data);
-
-/// The limits that the bar offers.
-inline constexpr double offered_limits[] = {1e-4, 1e-6, 1e-8, 1e-12};
 
 }  // namespace edgewise::reports

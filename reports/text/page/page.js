@@ -107,11 +107,12 @@ function startFolds() {
 }
 
 // A box that has nothing to scroll is no stop of the tabulator, until the window is narrower.
-function startScrollBoxes() {
-    const boxes = new ResizeObserver(entries => entries.forEach(({ target }) => {
+let scrollBoxes = null;
+function startScrollBoxes(within = document) {
+    scrollBoxes ??= new ResizeObserver(entries => entries.forEach(({ target }) => {
         target.tabIndex = target.scrollWidth > target.clientWidth ? 0 : -1;
     }));
-    document.querySelectorAll('.wide, .chart').forEach(box => boxes.observe(box));
+    within.querySelectorAll('.wide, .chart').forEach(box => scrollBoxes.observe(box));
 }
 
 function startPage() {

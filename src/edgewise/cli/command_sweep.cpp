@@ -114,7 +114,6 @@ void refuse_unused(const SweepArguments& options) {
 /// Of a scene that was asked for by name, what else was named on the command line counts, not what the plan
 /// would restrict it to.
 sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& options) {
-    if (!options.shapes.empty()) scene.shapes.clear();
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
     if (options.queries) scene.queries = 0;
@@ -138,6 +137,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     replace(plan.layouts, options.layouts);
     for (sweep::SceneChoice& scene : plan.scenes) {
         if (scene::is_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+        if (!options.shapes.empty()) scene.shapes.clear();  // which name the plan's bodies
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);

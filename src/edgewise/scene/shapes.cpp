@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Names to bodies. Everything goes through convex_hull, as a user's point set does.
+// Names to bodies. Everything goes through convex_hull, as a user's point set does. Next to the bodies that
+// the header describes there is box8, a box with unequal sides: 1.75, 1 and 0.625 m.
 #include "edgewise/scene/shapes.hpp"
 
 #include <fmt/core.h>
@@ -19,11 +20,12 @@ namespace {
 constexpr double corner = 0.5625;  // 9/16: exact in every precision, radius 0.97 m
 constexpr std::string_view sphere_prefix = "sphere";
 
-std::vector<Vec3d> cube_points() {
+/// half: half of each side.
+std::vector<Vec3d> box_points(const Vec3d& half) {
     std::vector<Vec3d> points;
-    for (int i = 0; i < 8; ++i) {
-        points.emplace_back(i & 4 ? corner : -corner, i & 2 ? corner : -corner, i & 1 ? corner : -corner);
-    }
+    for (int i = 0; i < 8; ++i)
+        points.emplace_back(i & 4 ? half[0] : -half[0], i & 2 ? half[1] : -half[1],
+                            i & 1 ? half[2] : -half[2]);
     return points;
 }
 
@@ -62,7 +64,7 @@ Result<Polyhedron> make_sphere(std::string_view name, std::size_t count) {
 
 std::vector<ShapeInfo> list_shapes() {
     std::vector<ShapeInfo> shapes = {
-        {"tetra4", 4, 6, 4}, {"cube8", 8, 12, 6}, {"uv_sphere386", 386, 1152, 768}};
+        {"tetra4", 4, 6, 4}, {"cube8", 8, 12, 6}, {"box8", 8, 12, 6}, {"uv_sphere386", 386, 1152, 768}};
     for (const SphereSize& size : sphere_sizes()) {
         const std::size_t n = size.vertices();
         shapes.push_back({fmt::format("sphere{}", n), n, 3 * n - 6, 2 * n - 4});
@@ -72,15 +74,16 @@ std::vector<ShapeInfo> list_shapes() {
 
 Result<Polyhedron> make_shape(std::string_view name) {
     if (name == "tetra4") return convex_hull(tetra_points());
-    if (name == "cube8") return convex_hull(cube_points());
+    if (name == "cube8") return convex_hull(box_points({corner, corner, corner}));
+    if (name == "box8") return convex_hull(box_points({0.875, 0.5, 0.3125}));
     if (name == "uv_sphere386") return convex_hull(uv_sphere_points());
     if (const auto count = sphere_count(name)) return make_sphere(name, *count);
     std::vector<std::string> known;
     for (const ShapeInfo& shape : list_shapes()) known.push_back(shape.name);
-    return Result<Polyhedron>::failure(
-        fmt::format("unknown shape '{}'{} known: tetra4, cube8, uv_sphere386 and sphereN with N = 4 k^2 + 2 "
-                    "or 6 k^2 + 2 (sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
-                    name, did_you_mean(name, known)));
+    return Result<Polyhedron>::failure(fmt::format(
+        "unknown shape '{}'{} known: tetra4, cube8, box8, uv_sphere386 and sphereN with N = 4 k^2 + 2 "
+        "or 6 k^2 + 2 (sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
+        name, did_you_mean(name, known)));
 }
 
 Polyhedron scaled(const Polyhedron& body, double factor) {

@@ -25,6 +25,7 @@ struct Counts {
 const Counts known_counts[] = {
     {"tetra4", 4, 6, 4},
     {"cube8", 8, 12, 6},
+    {"box8", 8, 12, 6},
     {"sphere6", 6, 12, 8},
     {"sphere8", 8, 18, 12},
     {"sphere18", 18, 48, 32},
@@ -69,7 +70,7 @@ TEST_P(Shape, HasItsCountsAndIsSound) {
                 flattest_edge(*body));
     EXPECT_GT(low, 0.85);
     EXPECT_LT(high, 1.13);
-    if (std::string(want.name) == "cube8") return;
+    if (want.vertices == 8 && want.faces == 6) return;
     for (Index f = 0; f < body->face_count(); ++f) ASSERT_EQ(body->ring_of_face(f).size(), 3U);
 }
 

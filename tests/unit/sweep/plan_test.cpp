@@ -4,6 +4,7 @@
 // one is one clear line.
 #include "edgewise/sweep/plan.hpp"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -11,18 +12,23 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::UnorderedElementsAre;
 
 class PlanFile : public ::testing::Test {
   protected:
@@ -98,38 +104,63 @@ TEST(Plan, QuickAndPaperKeepTheirPromises) {
 
 using Names = std::vector<std::string>;
 
+/// The layouts and table types that this program has.
 Names built(Names layouts) {
     std::erase_if(layouts, [](const std::string& name) {
         const auto types = bench::table_types();
-        return std::none_of(types.begin(), types.end(),
-                            [&](const bench::TableType& type) { return type.name == name; });
+        return std::none_of(types.begin(), types.end(), [&](const bench::TableType& type) {
+            return type.name == name || type.layout == name;
+        });
     });
     return layouts;
 }
 
-/// Both algorithms on small and on fast layouts, at every number of bodies: else the report recommends
-/// nothing for bodies with tables of their own.
-TEST(Plan, QuickMeasuresTheContendersUnderPressure) {
-    std::size_t pressures = 0;
-    for (const SceneChoice& scene : make_plan("quick").scenes) {
-        if (scene.name != "pressure") continue;
-        ++pressures;
-        const std::vector<std::string>& pairs = scene.pairs;
-        for (const auto& [algorithm, layout, precision] : {std::tuple("vclip", "aos", "f64"),
-                                                           {"vclip", "aos", "f32"},
-                                                           {"vclip", "lean", "f64"},
-                                                           {"vclip", "lean", "f32"},
-                                                           {"gjk", "lean", "f32"},
-                                                           {"gjk", "points_soa", "f32"}}) {
-            const std::string pair = std::string(algorithm) + " " + layout;
-            if (built({std::string(layout) + "_" + precision}).empty()) continue;
-            EXPECT_TRUE(std::ranges::find(pairs, pair) != pairs.end() ||
-                        std::ranges::find(pairs, pair + "_" + precision) != pairs.end())
-                << pair << " " << precision;
-        }
-        EXPECT_TRUE(scene.layouts.empty() && scene.algorithms.empty());
+/// "gap gap=0.001 span=0": a scene and the parameters that the plan sets.
+Names conditions_of(const Plan& plan) {
+    Names conditions;
+    for (const SceneChoice& scene : plan.scenes) {
+        conditions.push_back(scene.name);
+        for (const auto& [name, value] : scene.parameters)
+            conditions.back() += fmt::format(" {}={:g}", name, value);
     }
-    EXPECT_EQ(pressures, 2U);
+    return conditions;
+}
+
+const char* const near_contact[] = {"gap gap=0.001 span=0", "gap gap=0.0001 span=0",
+                                    "proximity gap=0.001 pairs=100 rotation_step=0.0001",
+                                    "proximity gap=0.0001 pairs=100 rotation_step=1e-05"};
+
+/// The contest behind the report's answer: every body in every condition, and in each scene every contender.
+TEST(Plan, QuickAsksEveryContenderInEveryConditionOfTheContest) {
+    const Plan plan = make_plan("quick");
+    Names wanted = {"cold", "tumble rotation_step=0.01", "tumble rotation_step=0.1"};
+    wanted.insert(wanted.end(), std::begin(near_contact), std::end(near_contact));
+    wanted.insert(wanted.end(), {"pressure bodies=200", "pressure bodies=6000"});
+    EXPECT_EQ(conditions_of(plan), wanted);
+    const SweepWork work = prepare_sweep(plan, [](const std::string&) {});
+    for (const SceneWork& scene : work.scenes) {
+        Names bodies;
+        for (const scene::NamedShape* shape : scene.shapes) bodies.push_back(shape->name);
+        EXPECT_THAT(bodies, UnorderedElementsAre("box8", "sphere38", "hubo_foot", "sphere386"));
+        std::set<std::pair<std::string, std::string>> cells;
+        work.each_cell(scene, [&](const bench::TableType& type, const std::string& algorithm, const Axes&) {
+            cells.emplace(algorithm, type.name);
+        });
+        for (const char* precision : {"_f64", "_f32"}) {
+            for (const char* layout : {"aos", "lean", "lean_seeds"})
+                for (const std::string& table : built({layout + std::string(precision)}))
+                    EXPECT_TRUE(cells.contains({"vclip", table})) << scene.choice.name << " " << table;
+            for (const char* layout : {"points_soa", "lean", "lean_seeds"})
+                for (const std::string& table : built({layout + std::string(precision)}))
+                    EXPECT_TRUE(cells.contains({"gjk", table})) << scene.choice.name << " " << table;
+        }
+    }
+}
+
+TEST(Plan, PeersAreAskedNearContactAndOnBoxesWithUnequalSides) {
+    const Plan peers = make_plan("peers");
+    EXPECT_THAT(conditions_of(peers), IsSupersetOf(near_contact));
+    EXPECT_THAT(peers.shapes, IsSupersetOf({"cube8", "box8"}));
 }
 
 struct PaperScene {
@@ -191,7 +222,7 @@ void expect_scene(const SceneChoice& scene, const PaperScene& wanted) {
 
 /// The file of the plan `paper` must describe the sweep that made the stores of the paper.
 TEST(Plan, PaperIsWhatItsStoresHold) {
-    const Plan paper = make_plan("paper"), quick = make_plan("quick");
+    const Plan paper = make_plan("paper");
     std::size_t next = 0;
     for (const PaperScene& wanted : paper_scenes()) {
         if (!wanted.layouts.empty() && built(wanted.layouts).empty()) continue;
@@ -199,8 +230,8 @@ TEST(Plan, PaperIsWhatItsStoresHold) {
         expect_scene(paper.scenes[next++], wanted);
     }
     EXPECT_EQ(next, paper.scenes.size());
-    EXPECT_EQ(paper.shapes, quick.shapes);
-    EXPECT_EQ(paper.layouts, quick.layouts);
+    EXPECT_EQ(paper.shapes, (Names{"tetra4", "cube8", "sphere38", "sphere386"}));
+    EXPECT_EQ(paper.layouts, built({"linked", "aos", "soa", "lean", "quantised", "points_soa"}));
     EXPECT_EQ(std::tuple(paper.seed, paper.checked, paper.control, paper.rounds, paper.count_of("stability"),
                          paper.traced, paper.traced_steps, paper.count_of("paging"), paper.meshes_required),
               std::tuple(1U, 2000U, true, 11, 100U, 3000U, 50U, 600U, false));

@@ -8,6 +8,7 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/changes.hpp"
@@ -102,11 +103,9 @@ std::string taken_text(const Advice& advice) {
     const reports::Answer& answer = advice.race.answer;
     const RankedCell& taken = *advice.race.taken();
     const RankedCell* const paper = compared(advice);
-    const reports::AdviceText text =
-        reports::advice_of(answer.shared.empty() ? answer.own : answer.shared, answer).value();
     std::string bytes = table_bytes_text(advice.asked, taken);
     if (paper) bytes += "; the paper's layout: " + table_bytes_text(advice.asked, *paper);
-    return labelled("take", text.lead + " " + text.rest) +
+    return labelled("take", reports::decision_of(answer, answer.shared.empty()).text()) +
            labelled("fastest", tie_set_text(*advice.race.scene())) +
            labelled("time",
                     fmt::format("{:.0f} ns per query here; {}", taken.ns, variation_text(advice.race))) +

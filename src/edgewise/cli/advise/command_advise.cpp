@@ -17,6 +17,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/race_plan.hpp"
@@ -288,7 +289,9 @@ int answer_from_store(const AdviseArguments& options, bool json) {
                         "measure now",
                         options.store));
     if (json) {
-        print_json(reports::answer_json(answer));
+        auto all = reports::answer_json(answer);
+        all["changes_it"] = reports::Decisions(data, question).table(question.error_limit).changes;
+        print_json(all);
     } else {
         fmt::print("{}\nfrom {}; nothing was measured now\n", reports::terminal_text(answer, data),
                    options.store);

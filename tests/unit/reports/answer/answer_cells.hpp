@@ -28,7 +28,8 @@ inline ReportCell answer_cell(const TimedCell& made, const std::string& paramete
     ReportCell cell;
     cell.scene = "tumble", cell.scene_parameters = parameters;
     cell.scene_label = parameters == own_tables_scene ? "own" : "shared";
-    cell.shape = shape, cell.vertices = shape == "cube8" ? 8 : 386, cell.edges = 1152;
+    cell.shape = shape, cell.shape_source = "built-in", cell.vertices = shape == "cube8" ? 8 : 386,
+    cell.edges = 1152;
     cell.algorithm = made.algorithm, cell.layout = made.layout, cell.precision = made.precision;
     cell.table = made.layout + "_" + made.precision + (made.axes.empty() ? "" : " " + made.axes);
     cell.axes = made.axes, cell.status = made.status;
@@ -39,6 +40,7 @@ inline ReportCell answer_cell(const TimedCell& made, const std::string& paramete
                     {{"worst_error_given", made.error, "scale"}, "error"},
                     {{"mean_steps", 3.0, "steps"}, "error"},
                     {{"total_bytes_per_edge", made.bytes_per_edge, "B/edge"}, "bytes"},
+                    {{"table_bytes", 1152 * made.bytes_per_edge, "B"}, "bytes"},
                     {{"requested_bytes", 6e5 * made.bytes_per_edge, "B"}, "memory"},
                     {{"tables", parameters == own_tables_scene ? 600.0 : 1.0, "tables"}, "memory"},
                     {{"instructions", std::nullopt, "1", "no counters here", "bare metal"}, "counters"}};

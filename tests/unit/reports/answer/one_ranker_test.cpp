@@ -18,9 +18,11 @@
 #include "answer_cells.hpp"
 #include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
+#include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/page.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/store.hpp"
 
 namespace edgewise::reports {
@@ -204,6 +206,28 @@ TieSets in_json(const nlohmann::json& json) {
     return sets;
 }
 
+/// Every fact of the decision table is on the first screen, in report.md and on the terminal.
+void check_decisions(const ReportData& data, const Answer& answer, const std::string& html) {
+    const double limit = answer.question.error_limit;
+    const DecisionTable table = Decisions(data).table(limit, answer.shape);
+    ASSERT_EQ(table.rows.size(), 1U);
+    const std::string terminal = terminal_text(answer, data),
+                      markdown = report_markdown(data, answer, {}, "");
+    for (const Decision& one : {table.rows.front().shared, table.rows.front().own}) {
+        EXPECT_THAT(html,
+                    testing::HasSubstr("<b>" + (one.take.empty() ? "nothing is recommended" : one.take)));
+        for (const std::string& fact : one.facts) EXPECT_THAT(html, testing::HasSubstr(html_text(fact)));
+        EXPECT_THAT(terminal, testing::HasSubstr(one.text()));
+        EXPECT_THAT(markdown, testing::HasSubstr(" | " + markdown_text(one.text()) + " |"));
+    }
+    EXPECT_THAT(terminal, testing::HasSubstr(table.sentence));
+    EXPECT_THAT(html, testing::HasSubstr(html_text(table.sentence)));
+    for (const std::string& change : table.changes) {
+        EXPECT_THAT(terminal, testing::HasSubstr(change));
+        EXPECT_THAT(html, testing::HasSubstr(html_text(change)));
+    }
+}
+
 struct Seen {
     std::size_t alone = 0, tied = 0, none = 0;
 };
@@ -222,6 +246,7 @@ void check_store(const ReportData& data, Seen& seen) {
             EXPECT_EQ(in_markdown(report_markdown(data, answer, {}, "")), wanted);
             EXPECT_EQ(on_terminal(terminal_text(answer, data), shape), wanted);
             EXPECT_EQ(in_json(answer_json(answer)), wanted);
+            check_decisions(data, answer, screens[question]["html"]);
             for (const auto& [label, set] : wanted)
                 ++(set.empty() ? seen.none : set.find(';') == set.npos ? seen.alone : seen.tied);
         }

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+//
+// The decision table of made stores: times over several scenes, what near contact and other limits change,
+// the sentence above the table.
+#include "edgewise/reports/answer/decision.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "answer_cells.hpp"
+
+namespace edgewise::reports {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const TimedCell decided_paper{"vclip", "aos", "f64", {0.98, 1.0, 1.02}},
+    decided_lean{"vclip", "lean", "f32", {0.70, 0.72, 0.74}, 1e-7, 8.8},
+    decided_double{"vclip", "lean", "f64", {0.8, 0.82, 0.84}, 1e-16, 12.8},
+    decided_points{"gjk", "points_soa", "f32", {1.4, 1.5, 1.6}, 1e-7, 4.1},
+    decided_points_double{"gjk", "points_soa", "f64", {1.6, 1.7, 1.8}, 1e-16, 8.1};
+
+void add_decided(ReportData& data, const std::vector<TimedCell>& cells, const std::string& parameters,
+                 const std::string& shape = "sphere386") {
+    for (const TimedCell& one : cells) data.cells.push_back(answer_cell(one, parameters, shape));
+}
+
+/// A scene in which every pair is a thousandth of the bodies' size apart.
+void add_decided_near(ReportData& data, const std::vector<TimedCell>& cells) {
+    for (const TimedCell& one : cells) {
+        data.cells.push_back(answer_cell(one, R"({"gap":0.001,"span":0})"));
+        data.cells.back().scene = "gap";
+    }
+}
+
+ReportData decided_store(const std::vector<TimedCell>& cells) {
+    ReportData data;
+    add_decided(data, cells, shared_tables);
+    return data;
+}
+
+const std::vector<TimedCell> decided_contest = {decided_paper, decided_lean, decided_double, decided_points,
+                                                decided_points_double};
+
+Decision shared_decision(const ReportData& data) { return decision_of(answer_of_scenes(data, {}), false); }
+
+TEST(Decision, SaysTimeBytesErrorAndNearContact) {
+    const Decision decision = shared_decision(decided_store(decided_contest));
+    EXPECT_EQ(decision.take, "V-Clip on lean_f32");
+    EXPECT_THAT(decision.facts, ElementsAre("0.72 [0.70, 0.74] of the time of the paper's layout",
+                                            "9.90 KiB per table, 8.8 bytes per edge", "worst error 1.0e-07",
+                                            "near contact: not measured"));
+    EXPECT_FALSE(decision.near_contact_changes_it);
+}
+
+/// sqrt(0.72 * 0.5) and so on: one slow scene does not outweigh all others, as in a mean of ratios.
+TEST(Decision, TheTimeIsTheGeometricMeanOverTheScenes) {
+    ReportData data = decided_store(decided_contest);
+    TimedCell fast = decided_lean;
+    fast.ratios = {0.4, 0.5, 0.6};
+    add_decided(data, {decided_paper, fast, decided_double, decided_points}, R"({"bodies":12})");
+    EXPECT_EQ(shared_decision(data).facts.front(),
+              "0.60 [0.53, 0.67] of the time of the paper's layout, 0.50 to 0.72 by scene");
+}
+
+/// A wide interval ties in both scenes; its median is twice as slow.
+TEST(Decision, WhatIsMuchSlowerIsNotTakenBecauseItTies) {
+    TimedCell uncertain = decided_points, slow = decided_lean;
+    uncertain.ratios = {0.7, 1.4, 1.5}, slow.ratios = {1.2, 1.3, 1.4};
+    ReportData data =
+        decided_store({decided_paper, decided_lean, decided_double, uncertain, decided_points_double});
+    add_decided(data, {decided_paper, slow, decided_double, uncertain, decided_points_double},
+                R"({"bodies":12})");
+    EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f32");
+}
+
+TEST(Decision, NearContactChangesItWhereAnotherCellWinsThere) {
+    ReportData same = decided_store(decided_contest), other = same, inexact = same;
+    add_decided_near(same, decided_contest);
+    EXPECT_EQ(shared_decision(same).facts.back(), "near contact: the same");
+    EXPECT_FALSE(shared_decision(same).near_contact_changes_it);
+    TimedCell slow = decided_lean, fast = decided_points, wrong = decided_lean;
+    slow.ratios = {1.9, 2, 2.1}, fast.ratios = {0.5, 0.5, 0.5}, wrong.error = 2e-6;
+    add_decided_near(other, {decided_paper, slow, decided_double, fast});
+    EXPECT_EQ(shared_decision(other).facts.back(),
+              "near contact: GJK on points_soa_f32 takes 0.50, this 2.00");
+    EXPECT_TRUE(shared_decision(other).near_contact_changes_it);
+    add_decided_near(inexact, {decided_paper, wrong, decided_double, decided_points});
+    EXPECT_EQ(shared_decision(inexact).facts.back(), "near contact: error 2.0e-06 is over 1e-6");
+    EXPECT_TRUE(shared_decision(inexact).near_contact_changes_it);
+    EXPECT_EQ(answer_of_scenes(other, {}).shared.size(), 1U) << "near contact has no vote of its own";
+}
+
+/// Every number of the sentence is one that a reader has to hold in mind.
+TEST(Decisions, TheSentenceHasAtMostThreeNumbers) {
+    ReportData data;
+    TimedCell slow = decided_lean;
+    slow.ratios = {1.2, 1.3, 1.4};
+    for (const char* scene : {shared_tables.c_str(), own_tables_scene.c_str()})
+        for (const char* shape : {"cube8", "sphere38", "sphere386"})
+            add_decided(data,
+                        shape == std::string("cube8") ? std::vector{decided_paper, slow, decided_points}
+                                                      : decided_contest,
+                        scene, shape);
+    add_decided_near(data, {decided_paper, slow, decided_double, decided_points});
+    const DecisionTable table = Decisions(data).table(1e-6);
+    ASSERT_EQ(table.rows.size(), 3U);
+    EXPECT_EQ(
+        table.sentence,
+        "If your bodies share a table, take V-Clip on lean_f32 for most bodies. If every body has a "
+        "table of its own, take V-Clip on lean_f32 for most bodies. Near contact changes 2 of 6 answers.");
+    const std::string plain = std::regex_replace(table.sentence, std::regex("[a-z_]+_f[0-9]+"), "");
+    const std::regex number("[0-9.]*[0-9]");
+    EXPECT_LE(std::distance(std::sregex_iterator(plain.begin(), plain.end(), number), std::sregex_iterator()),
+              3);
+}
+
+TEST(Decisions, SayWhatOtherLimitsChange) {
+    ReportData data = decided_store(decided_contest);
+    data.build.flags = "-O3 -march=native";
+    const DecisionTable table = Decisions(data).table(1e-6);
+    EXPECT_THAT(
+        table.changes,
+        Contains(
+            "An error of at most 1e-8 changes 1 of 1 answer (sphere386, shared table: V-Clip on lean_f64)"));
+    EXPECT_THAT(table.changes, Contains(HasSubstr("Default compiler flags: not measured")));
+    data.build.flags = "-O3";
+    EXPECT_THAT(Decisions(data).table(1e-6).changes,
+                testing::Not(Contains(HasSubstr("Default compiler flags"))));
+}
+
+TEST(Decisions, AQuestionAboutOneBodyOrOneKindOfTablesHasThatAlone) {
+    ReportData data = decided_store(decided_contest);
+    add_decided(data, decided_contest, own_tables_scene);
+    add_decided(data, decided_contest, shared_tables, "cube8");
+    const Question own{.shape = "sphere386", .own_tables = true};
+    const std::string text = Decisions(data, own).table(1e-6).text(own);
+    EXPECT_THAT(text, HasSubstr("sphere386 (386 vertices), a table each: take V-Clip on lean_f32"));
+    EXPECT_THAT(text, testing::Not(testing::AnyOf(HasSubstr("shared table: "), HasSubstr("cube8"))));
+}
+
+}  // namespace
+}  // namespace edgewise::reports
