@@ -79,12 +79,12 @@ edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kerne
 edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind.cpp src/edgewise/scene/motion.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort/effort.cpp src/edgewise/studies/stability/stability_tally.cpp
-    src/edgewise/studies/phases/effort_phases.cpp src/edgewise/studies/effort/proof_floor.cpp
-    src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/enclosure.cpp src/edgewise/truth/filter/posed_pair.cpp
-    src/edgewise/studies/fields/best_groups.cpp src/edgewise/studies/fields/co_access.cpp
-    src/edgewise/studies/fields/field_places.cpp src/edgewise/studies/fields/verdicts.cpp
-    src/edgewise/studies/gate/speed_record.cpp src/edgewise/studies/thrash/figure_8_facts.cpp src/edgewise/studies/thrash/memory_demand.cpp
-    src/edgewise/studies/thrash/query_time.cpp src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
+    src/edgewise/studies/phases/phases.cpp
+    src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/float_proof.cpp src/edgewise/truth/filter/posed_pair.cpp
+    src/edgewise/studies/fields/best_groups.cpp
+    src/edgewise/studies/fields/field_trace.cpp src/edgewise/studies/fields/fields.cpp
+    src/edgewise/studies/gate/run.cpp src/edgewise/studies/thrash/factorial.cpp src/edgewise/studies/thrash/memory_demand.cpp
+    src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
     src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
     src/edgewise/truth/exact_proof.cpp src/edgewise/truth/support_filter.cpp)
 if(EDGEWISE_SANITIZE)  # truth is slow and manages no memory by hand: the library's own checks instead of sanitizers

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The answer in sentences, without markup: for the page, Markdown, the end of a sweep and `edgewise advise`.
+// The answer in sentences, without markup, and as JSON: for the page, Markdown, the end of a sweep and
+// `edgewise advise`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -52,5 +54,21 @@ struct AnswerText {
 [[nodiscard]] std::string machine_text(const ReportData& data);
 
 [[nodiscard]] std::vector<std::string> what_passed(const Answer& answer);
+
+// The answer as JSON, under the keys of `edgewise advise`: asked, take, next, dropped, changes_it, held,
+// command.
+
+/// Returns the answer as JSON. "take" is for the tables in question; if the question allows both kinds, for a
+/// shared table if such scenes were measured, and "own_tables" says so. "next": tied cells, then slower ones;
+/// "dropped": cells over the error limit; "changes_it": empty, since it takes answers at other limits;
+/// "held": null, since nothing was predicted here. "scenes": every scene with its ranked cells. Numbers that
+/// were not measured are null.
+[[nodiscard]] nlohmann::json answer_json(const Answer& answer);
+
+/// Returns algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
+[[nodiscard]] nlohmann::json ranked_json(const RankedCell& cell);
+
+/// Returns the `edgewise advise` command of this question; for one kind of tables if `own_tables` is given.
+[[nodiscard]] std::string advise_command(const Answer& answer, std::optional<bool> own_tables = {});
 
 }  // namespace edgewise::reports

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/charts/error_axis.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"

@@ -3,6 +3,17 @@
 // The charts, as declarative Vega-Lite specifications (plain JSON, expressions included) plus what a page
 // needs around them. This header has the shared parts (colours, legends, opacity, limits), so that a
 // layout has one colour everywhere and a click on a legend means the same in every chart.
+//
+// Chart specifications as files. A *.vl.json file holds all of a chart but its data: title, how to read it,
+// and a Vega-Lite specification in which "$name" is replaced by a value: a slot that the code fills, a part
+// of the same file, or a part that all charts share (shared.vl.json). A slot's value is data and is never
+// read as a name.
+//
+//   "$name"                    the value of that name; "$absent" leaves its member out
+//   "$*name"      in a list    each item of that value
+//   {"$let": {...}, ...}       these parts are known inside
+//   {"$with": "$name", ...}    the members of that value, then these in their place
+// in a list: one item for each of that list; the item's members are slots in it
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -19,6 +30,12 @@ namespace edgewise::reports {
 /// Members keep the order in which they were added: the specifications stay readable.
 using ChartJson = nlohmann::ordered_json;
 
+/// The parsed file NAME.vl.json.
+[[nodiscard]] ChartJson spec_file(const std::string& name);
+
+/// The specification of a chart file, filled; throws std::out_of_range at a name that nothing has.
+[[nodiscard]] ChartJson fill_spec(const ChartJson& file, const ChartJson& slots);
+
 struct Chart {
     std::string name;  ///< of its file and its element: "bytes"
     std::string title;
@@ -27,7 +44,7 @@ struct Chart {
     std::vector<std::string> notes;         ///< what is not drawn, and why
     TextGrid fallback;                      ///< the data as a small table, where no picture can be shown
     std::string section = {};               ///< of the chapter that shows it
-    ChartJson file = {};                    ///< what its file says (spec_file.hpp)
+    ChartJson file = {};                    ///< what its file says
     ChartJson points = ChartJson::array();  ///< the rows that it draws
     bool is_cited = false;                  ///< comes as PDF and CSV too (write_cited_figures)
 };
@@ -124,5 +141,30 @@ void add_timed_rows(ChartRows& rows, const std::vector<const ReportCell*>& cells
         rows.values.push_back(std::move(row));
     }
 }
+
+// A logarithmic axis of errors. An error of exactly 0 has no place on it, so it is drawn on a labelled floor,
+// a whole power of ten that is a decade or more below the smallest error.
+
+class ErrorAxis {
+  public:
+    /// Errors that it must show, in any order, none below 0; one at least.
+    explicit ErrorAxis(std::vector<double> errors);
+
+    /// Returns the place on the axis at which an error of 0 is drawn.
+    [[nodiscard]] double floor() const { return floor_; }
+    [[nodiscard]] bool has_zeros() const { return errors_.front() == 0; }
+    [[nodiscard]] double place(double error) const { return error > 0 ? error : floor_; }
+    /// Returns even powers of ten among the errors, and the floor if an error of 0 exists. A tick beyond the
+    /// data would be drawn outside the panel.
+    [[nodiscard]] ChartJson ticks() const;
+    /// First and last place.
+    [[nodiscard]] ChartJson domain() const;
+    /// A Vega expression of a tick's label.
+    [[nodiscard]] std::string tick_label() const;
+
+  private:
+    std::vector<double> errors_;  ///< in order
+    double floor_ = 1e-15;
+};
 
 }  // namespace edgewise::reports

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/break_even_map.hpp"
 #include "edgewise/reports/answer/decision.hpp"

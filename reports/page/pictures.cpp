@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <set>
 
+#include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/input/shown_text.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/page/files.hpp"
-#include "edgewise/reports/page/packing.hpp"
-#include "edgewise/reports/page/safe_svg.hpp"
-#include "edgewise/reports/results/csv_row.hpp"
+#include "edgewise/reports/page/html.hpp"
+#include "edgewise/reports/results/main_figures.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -68,12 +68,12 @@ void add_stills(const std::vector<Chart>& charts, const std::set<std::string>& t
         if (svg == pictures.svg.end() || keep(chart, svg->second)) continue;
         Chart few = chart;
         few.spec = of_tables(chart, tables);
-        write_file(folder / (chart.name + ".vl.json"), spec_text(few) + "\n");
+        input::write_output(folder / (chart.name + ".vl.json"), spec_text(few) + "\n");
         again.push_back(chart.name);
     }
     if (!again.empty() && render(again, folder, bundles).empty())
         for (const Chart& chart : charts)
-            if (const auto svg = read_file(folder / (chart.name + ".svg"))) keep(chart, *svg);
+            if (const auto svg = input::read_file_text(folder / (chart.name + ".svg"))) keep(chart, *svg);
     std::filesystem::remove_all(folder, ignored);
 }
 
@@ -89,7 +89,7 @@ StaticPictures write_pictures(const std::vector<Chart>& charts, const std::set<s
         std::filesystem::remove(figures / (chart.name + ".svg"), ignored);
         std::filesystem::remove(figures / (chart.name + ".vl.json"), ignored);
         if (chart.spec.is_null()) continue;
-        write_file(figures / (chart.name + ".vl.json"), spec_text(chart) + "\n");
+        input::write_output(figures / (chart.name + ".vl.json"), spec_text(chart) + "\n");
         names.push_back(chart.name);
     }
     StaticPictures result;
@@ -99,7 +99,7 @@ StaticPictures write_pictures(const std::vector<Chart>& charts, const std::set<s
         result.note = "No static pictures of the charts: " + result.note +
                       " (install nodejs 18 or newer and the chart bundles, then write the report again).";
     for (const std::string& name : names)
-        if (auto svg = read_file(figures / (name + ".svg"))) result.svg[name] = std::move(*svg);
+        if (auto svg = input::read_file_text(figures / (name + ".svg"))) result.svg[name] = std::move(*svg);
     add_stills(charts, tables, figures, bundles, result);
     return result;
 }
@@ -116,7 +116,7 @@ std::string convert(const fs::path& svg, const fs::path& pdf) {
     if (outcome.value->exit_code == 127) return "rsvg-convert is not installed (Debian: librsvg2-bin)";
     if (outcome.value->exit_code != 0)
         return fmt::format("rsvg-convert ended with exit code {}", outcome.value->exit_code);
-    write_file(pdf, outcome.value->out);
+    input::write_output(pdf, outcome.value->out);
     return {};
 }
 
@@ -193,9 +193,10 @@ std::string write_cited_figures(const ReportData& data, const std::vector<Chart>
         std::error_code ignored;
         for (const char* type : {".pdf", ".csv", ".txt"}) fs::remove(figures / (chart.name + type), ignored);
         if (chart.spec.is_null()) continue;
-        write_file(figures / (chart.name + ".csv"), points_csv(chart.points));
+        input::write_output(figures / (chart.name + ".csv"), points_csv(chart.points));
         const std::string no_pdf = pdf_of(chart, pictures, figures);
-        write_file(figures / (chart.name + ".txt"), input::shown_text(figure_text(data, chart, no_pdf)));
+        input::write_output(figures / (chart.name + ".txt"),
+                            input::shown_text(figure_text(data, chart, no_pdf)));
         if (!no_pdf.empty()) note = "No PDF of the figures to cite: " + no_pdf + ".";
     }
     return note;

@@ -9,15 +9,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
-#include "edgewise/reports/page/files.hpp"
-#include "edgewise/reports/page/packing.hpp"
+#include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/page/pictures.hpp"
-#include "edgewise/reports/pictures/break_even_picture.hpp"
 #include "edgewise/reports/pictures/ranking_pictures.hpp"
-#include "edgewise/reports/results/wide_results.hpp"
+#include "edgewise/reports/results/export.hpp"
 
 namespace edgewise::reports {
 
@@ -70,7 +69,7 @@ void write_picture(const std::string& name, const std::string& svg, const std::f
     const std::filesystem::path file = out / "figures" / (name + ".svg");
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
-    if (!svg.empty()) write_file(file, standalone(svg));
+    if (!svg.empty()) input::write_output(file, standalone(svg));
 }
 
 }  // namespace
@@ -108,8 +107,8 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
         changes = chapter_markdown(chapters.front());
     }
     begin("pages");
-    write_file(out / "report.md", report_markdown(data, answer, pictures, changes));
-    write_file(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
+    input::write_output(out / "report.md", report_markdown(data, answer, pictures, changes));
+    input::write_output(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
     ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
     made.answer = terminal_text(answer, data);
     return made;

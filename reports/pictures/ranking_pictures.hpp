@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/reports/answer/break_even_map.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
 
 namespace edgewise::reports {
@@ -48,5 +49,12 @@ struct StripAxis {
 [[nodiscard]] std::string standalone(const std::string& svg);
 
 [[nodiscard]] std::string time_bytes_svg(const SceneRanking& scene);
+
+// The break-even map as a picture: a grid for each number of tables, vertices across, coherence downwards. A
+// place is tinted in the colour of the layout that wins; one where several tie has a bar of all their colours
+// and no tint; one that was not measured is dashed and says so.
+
+/// Empty where nothing was measured.
+[[nodiscard]] std::string break_even_svg(const BreakEvenMap& map);
 
 }  // namespace edgewise::reports

@@ -8,10 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/reports/results/csv_row.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 
 namespace edgewise::reports {
@@ -135,6 +138,145 @@ std::vector<const ReportCell*> chosen_cells(const ReportData& data, const Export
 std::string export_text(const ReportData& data, const ExportChoice& choice) {
     const std::vector<Chosen> chosen = chosen_figures(data, choice);
     return choice.format == ExportFormat::csv ? csv_of(data, chosen) : json_of(data, chosen);
+}
+
+namespace {
+
+/// Place in the vocabulary, and key: the order of columns.
+using Columns = std::set<std::pair<std::size_t, std::string>>;
+
+struct ResultFile {
+    std::vector<const ReportCell*> cells;
+    Columns columns;
+};
+
+/// What the rows of a file have in common: "tumble", of a study "stability", "effort_tumble".
+std::string subject_of(const ReportCell& cell) {
+    return cell.run == store::sweep_run || cell.scene == cell.run ? cell.scene : cell.run + "_" + cell.scene;
+}
+
+/// Their names; a user's scene that is called like a study is another file.
+std::map<std::pair<std::string, std::string>, std::string> names_of(const ReportData& data) {
+    std::map<std::pair<std::string, std::string>, std::string> names;
+    std::set<std::string> taken;
+    const std::vector<const ReportCell*> cells = every_cell(data);
+    for (const bool swept : {false, true}) {
+        for (const ReportCell* cell : cells) {
+            if ((cell->run == store::sweep_run) != swept || names.contains({cell->run, cell->scene}))
+                continue;
+            const std::string name = file_name_of(subject_of(*cell), taken);
+            taken.insert(name);
+            names[{cell->run, cell->scene}] = name + ".csv";
+        }
+    }
+    return names;
+}
+
+std::map<std::string, ResultFile> result_files(const ReportData& data) {
+    const auto names = names_of(data);
+    std::map<std::string, ResultFile> files;
+    for (const ReportCell* cell : every_cell(data)) {
+        ResultFile& file = files[names.at({cell->run, cell->scene})];
+        file.cells.push_back(cell);
+        for (const store::FigureRow& figure : cell->figures) {
+            const std::string key = figure_key(figure);
+            if (const auto place = main_place(key)) file.columns.emplace(*place, key);
+        }
+    }
+    return files;
+}
+
+std::map<std::string, const store::FigureRow*> figures_by_key(const ReportCell& cell) {
+    std::map<std::string, const store::FigureRow*> by_key;
+    for (const store::FigureRow& figure : cell.figures) by_key.emplace(figure_key(figure), &figure);
+    return by_key;
+}
+
+/// Units of each column, as stored; how many cells of a file lack it, by why and what would help.
+struct About {
+    std::map<std::pair<std::size_t, std::string>, std::set<std::string>> units;
+    std::map<std::tuple<std::string, std::string, std::string, std::string>, std::int64_t> missing;
+};
+
+std::string row_of(const ReportData& data, const ReportCell& cell, const std::string& name,
+                   const Columns& columns, About& about) {
+    CsvRow row;
+    add_identity(row, data, cell);
+    const auto by_key = figures_by_key(cell);
+    for (const auto& column : columns) {
+        const auto found = by_key.find(column.second);
+        // Why there is none, where there is none.
+        const measure::Figure figure =
+            found == by_key.end() ? cell.figure("", "") : measure::Figure(*found->second);
+        row.number(figure.value);
+        if (!figure.unit.empty()) about.units[column].insert(figure.unit);
+        if (!figure.value) ++about.missing[{name, column.second, figure.reason, figure.remedy}];
+    }
+    return row.line();
+}
+
+std::string file_text(const ReportData& data, const std::string& name, const ResultFile& file, About& about) {
+    CsvRow header;
+    add_identity_header(header);
+    for (const auto& [place, key] : file.columns) header.text(key);
+    std::string text = header.line();
+    for (const ReportCell* cell : file.cells) text += row_of(data, *cell, name, file.columns, about);
+    return text;
+}
+
+std::string columns_text(const About& about) {
+    std::string text =
+        CsvRow().text("figure").text("unit").text("population").text("repeats").text("meaning").line();
+    for (const auto& [column, units] : about.units) {
+        const store::FigureInfo& info = *main_info(column.second);
+        std::string unit;
+        for (const std::string& one : units) unit += (unit.empty() ? "" : " or ") + one;
+        text += CsvRow()
+                    .text(column.second)
+                    .text(unit)
+                    .text(to_string(info.population))
+                    .text(info.repeats == store::Repeats::exactly ? "exactly" : "timed")
+                    .text(info.meaning)
+                    .line();
+    }
+    return text;
+}
+
+std::string missing_text(const About& about) {
+    std::string text =
+        CsvRow().text("file").text("figure").text("cells").text("reason").text("remedy").line();
+    for (const auto& [what, cells] : about.missing) {
+        const auto& [file, figure, reason, remedy] = what;
+        text += CsvRow().text(file).text(figure).field(cells).text(reason).text(remedy).line();
+    }
+    return text;
+}
+
+void remove_old(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".csv") old.push_back(entry.path());
+    for (const auto& path : old) std::filesystem::remove(path, ignored);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> wide_results(const ReportData& data) {
+    std::map<std::string, std::string> texts;
+    About about;
+    for (const auto& [name, file] : result_files(data)) texts[name] = file_text(data, name, file, about);
+    texts["about/columns.csv"] = columns_text(about);
+    texts["about/not_measured.csv"] = missing_text(about);
+    return texts;
+}
+
+void write_results(const ReportData& data, const std::filesystem::path& out) {
+    const std::filesystem::path folder = out / "results";
+    std::error_code failed;
+    std::filesystem::create_directories(folder / "about", failed);  // write_file says what is wrong
+    remove_old(folder);
+    for (const auto& [name, text] : wide_results(data)) input::write_output(folder / name, text);
 }
 
 }  // namespace edgewise::reports

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "edgewise/input/shown_text.hpp"
@@ -21,6 +23,13 @@ std::string without_trailing_zeros(std::string text) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
+}
+
+/// FNV-1a.
+std::string hash_of(const std::string& text) {
+    std::uint32_t hash = 0x811c9dc5;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
+    return fmt::format("{:08x}", hash);
 }
 
 }  // namespace
@@ -101,6 +110,19 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 std::string plural(std::size_t count, const std::string& noun, const std::string& many) {
     if (count != 1 && !many.empty()) return fmt::format("{} {}", count, many);
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string file_name_of(std::string name) {
+    constexpr std::size_t longest = 100;
+    const std::string hash = hash_of(name);
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+    return name.size() <= longest ? name : name.substr(0, longest) + "-" + hash;
+}
+
+std::string file_name_of(const std::string& name, const std::set<std::string>& taken) {
+    const std::string file = file_name_of(name);
+    return taken.contains(file) ? file_name_of(file + "-" + hash_of(name)) : file;
 }
 
 }  // namespace edgewise::reports

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers and text for people: how a figure is written, and how text is made safe for HTML and Markdown.
+// Numbers and text for people: how a figure is written, and how text is made safe for HTML, Markdown and
+// names of files.
 #pragma once
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 
 namespace edgewise::reports {
@@ -21,6 +23,11 @@ inline constexpr double kibibyte = 1024, mebibyte = 1024 * kibibyte;
 [[nodiscard]] std::string in_words(std::string name);              ///< "face_planes" -> "face planes"
 /// Adds `part` to a list in one text.
 void append(std::string& list, const std::string& part, const char* separator = ", ");
+/// Returns a name for a file: the letters, digits, '_' and '-' of `name`, other bytes as '_'; a long name
+/// becomes its beginning and a hash.
+[[nodiscard]] std::string file_name_of(std::string name);
+/// Returns a file name that is not yet in the set, changed if another name has it already.
+[[nodiscard]] std::string file_name_of(const std::string& name, const std::set<std::string>& taken);
 /// Columns that UTF-8 takes on a terminal.
 [[nodiscard]] std::size_t shown_width(const std::string& text);
 /// Text in lines of at most `width` characters, broken at blanks; every line except the first begins

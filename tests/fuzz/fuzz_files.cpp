@@ -23,7 +23,7 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/record/record.hpp"
 #include "edgewise/measure/traces/trace_file.hpp"
-#include "edgewise/reports/page/safe_svg.hpp"
+#include "edgewise/reports/page/html.hpp"
 #include "edgewise/scene/case_file.hpp"
 #include "edgewise/scene/dumps/dump.hpp"
 #include "edgewise/scene/mesh/mesh_parts.hpp"

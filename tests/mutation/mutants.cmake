@@ -202,19 +202,19 @@ edgewise_mutant(startup_is_counted studies/effort/effort.cpp [[return (of_many -
     Effort.Counts* ${unit}/studies/effort_test.cpp)
 edgewise_mutant(calls_are_counted_twice measure/process/callgrind.cpp [[if (is_call_)]] [[if (is_call_ && false)]]
     CallgrindLines.* ${unit}/measure/callgrind_test.cpp)
-edgewise_mutant(every_function_runs_once studies/phases/effort_phases.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
+edgewise_mutant(every_function_runs_once studies/phases/phases.cpp [[in_steps += cost * steps_at(call->from, said);]] [[]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
-edgewise_mutant(phases_need_not_add_up studies/phases/effort_phases.cpp [[if (sum == total) return {};]] [[return {};]]
+edgewise_mutant(phases_need_not_add_up studies/phases/phases.cpp [[if (sum == total) return {};]] [[return {};]]
     PhaseCounts.* ${unit}/studies/phases_test.cpp)
-edgewise_mutant(floor_without_itself studies/effort/proof_floor.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
+edgewise_mutant(floor_without_itself studies/effort/effort.cpp [[1 + body.ring_of_vertex(v).size()]] [[body.ring_of_vertex(v).size()]]
     ProofFloor.* ${unit}/studies/proof_floor_test.cpp)
 
 # Speed against a baseline
 edgewise_mutant(the_median_alone_fails measure/record/comparison.cpp [[if (is.low > was.high * limit)]] [[if (is.value > was.high * limit)]]
     Record.* ${unit}/measure/record_test.cpp)
-edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/speed_record.cpp [[row.low = row.high = row.value;]] [[row.low = row.value;]]
+edgewise_mutant(a_slowdown_needs_all_of_two_intervals studies/gate/run.cpp [[row.low = row.high = row.value;]] [[row.low = row.value;]]
     SpeedRecord.* ${unit}/studies/speed_record_test.cpp)
-edgewise_mutant(a_second_look_accuses studies/gate/speed_record.cpp [[if (second->low < row.low)]] [[if (second->low > row.low)]]
+edgewise_mutant(a_second_look_accuses studies/gate/run.cpp [[if (second->low < row.low)]] [[if (second->low > row.low)]]
     SpeedRecord.* ${unit}/studies/speed_record_test.cpp)
 edgewise_mutant(nothing_compared_passes measure/record/comparison.cpp [[return faults.empty() && compared() > 0 &&]] [[return faults.empty() &&]]
     Record.* ${unit}/measure/record_test.cpp)
@@ -234,7 +234,7 @@ edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_f
     Error.HasQuantiles* ${unit}/probes/error_test.cpp)
 
 # Files of results
-edgewise_mutant(formulas_are_left_alone reports/results/csv_row.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]
+edgewise_mutant(formulas_are_left_alone reports/results/main_figures.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]
     CsvRow.* ${unit}/reports/results_test.cpp)
 edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (::fnmatch(pattern.c_str(), key.c_str(), 0) == 0)]] [[if (key.starts_with(pattern.substr(0, pattern.find('*'))))]]
     WideResults.* ${unit}/reports/results_test.cpp)
@@ -267,31 +267,31 @@ edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability
 # Figure 8
 edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve_.misses(size) - curve_.firsts()]] [[curve_.misses(size)]]
     ThrashDemand.* ${unit}/studies/thrash_time_test.cpp)
-edgewise_mutant(faults_cost_nothing studies/thrash/query_time.cpp [[page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns]] [[mechanism_ns]]
+edgewise_mutant(faults_cost_nothing studies/thrash/factorial.cpp [[page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns]] [[mechanism_ns]]
     ThrashTime.* ${unit}/studies/thrash_time_test.cpp)
-edgewise_mutant(gjk_may_be_as_erratic studies/thrash/figure_8_facts.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
+edgewise_mutant(gjk_may_be_as_erratic studies/thrash/factorial.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
     Figure8Facts.* ${unit}/studies/thrash_facts_test.cpp)
 
 # Campaign
 set(campaign ${unit}/studies/campaign)
 edgewise_mutant(proofs_round_the_wrong_way truth/filter/posed_pair.cpp [[height - rounding * (1 + 16 * u)]] [[height + rounding * (1 + 16 * u)]]
     FloatProof.SaysNothingFalse* ${campaign}/float_proof_test.cpp)
-edgewise_mutant(corners_are_where_they_seem truth/filter/enclosure.cpp [[return v > certain;]] [[return v > 0;]]
+edgewise_mutant(corners_are_where_they_seem truth/filter/float_proof.cpp [[return v > certain;]] [[return v > 0;]]
     Enclosure.* ${unit}/truth/enclosure_test.cpp)
 edgewise_mutant(any_answer_is_proven truth/checked_answer.cpp [[if (!(checked.worst_beyond() <= allowed.distance)) return std::nullopt;]] [[]]
     Campaign.FindsALiar* ${campaign}/campaign_test.cpp)
 # Fields that travel together
-edgewise_mutant(records_of_any_kind_are_one studies/fields/co_access.cpp [[kind_[field.field] << 40 |]] [[]]
+edgewise_mutant(records_of_any_kind_are_one studies/fields/fields.cpp [[kind_[field.field] << 40 |]] [[]]
     CoAccess.* ${unit}/studies/fields_test.cpp)
-edgewise_mutant(steps_that_read_nothing_count studies/fields/co_access.cpp [[if (of_step_ == 0) return;]] [[]]
+edgewise_mutant(steps_that_read_nothing_count studies/fields/fields.cpp [[if (of_step_ == 0) return;]] [[]]
     CoAccess.* ${unit}/studies/fields_test.cpp)
 edgewise_mutant(worst_groups studies/fields/best_groups.cpp [[if (cost < best[set]) {]] [[if (best[set] < cost) {]]
     BestGroups.AreAs* ${unit}/studies/fields_test.cpp)
 edgewise_mutant(unread_fields_travel_along studies/fields/best_groups.cpp [[(reads.read() >> field & 1) != 0]] [[true]]
     BestGroups.FieldsThat* ${unit}/studies/fields_test.cpp)
-edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_places.cpp [[access.address += is - was;]] [[]]
+edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_trace.cpp [[access.address += is - was;]] [[]]
     FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
-edgewise_mutant(any_faster_median_holds studies/fields/verdicts.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
+edgewise_mutant(any_faster_median_holds studies/fields/fields.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
     FieldsAdvice.* ${unit}/studies/fields_advice_test.cpp)
 
 # Many scales

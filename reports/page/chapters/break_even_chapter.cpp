@@ -11,7 +11,7 @@
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/html.hpp"
-#include "edgewise/reports/pictures/break_even_picture.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

@@ -15,10 +15,9 @@
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/body/body_heat.hpp"
-#include "edgewise/reports/page/chapters/fields_chapter.hpp"
 #include "edgewise/reports/page/chapters/glossary.hpp"
 #include "edgewise/reports/page/html.hpp"
-#include "edgewise/reports/page/safe_svg.hpp"
+#include "edgewise/reports/tables/field_tables.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -292,6 +291,22 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     add({layouts_chapter, errors_chapter, counters_chapter, missing_chapter, method_chapter, words_chapter});
     std::ranges::for_each(chapters, drop_empty_grids);
     return chapters;
+}
+
+std::optional<Chapter> fields_chapter(const ReportData& data) {
+    if (data.fields.empty()) return std::nullopt;
+    Chapter chapter{.id = "fields",
+                    .title = "Which fields travel together?",
+                    .paragraph = prose("fields.md") + field_verdict(data),
+                    .blocks = {{.grids = {field_advice_grid(data)}}},
+                    .link = "Fields"};
+    for (const ReportCell& row : data.fields) {
+        if (!row.verified()) continue;
+        chapter.blocks.push_back({.elements = "<div class=\"wide\">" + field_picture(row) + "</div>\n",
+                                  .grids = {field_groups_grid(row)},
+                                  .fold = row.table + ", " + row.algorithm + ": matrix and records"});
+    }
+    return chapter;
 }
 
 }  // namespace edgewise::reports

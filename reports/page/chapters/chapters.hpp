@@ -4,6 +4,7 @@
 // store. This folder decides the content and order of each.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,5 +66,10 @@ struct Chapter {
 [[nodiscard]] std::string peers_sentence(const Answer& answer);
 /// How often the replacement policy changes a ranking by misses.
 [[nodiscard]] std::string policy_sentence(const ReportData& data);
+
+// The chapter on which fields of a record travel together.
+
+/// Nothing where the fields run was not made.
+[[nodiscard]] std::optional<Chapter> fields_chapter(const ReportData& data);
 
 }  // namespace edgewise::reports

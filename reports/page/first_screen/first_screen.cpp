@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/html.hpp"

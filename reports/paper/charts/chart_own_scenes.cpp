@@ -7,7 +7,6 @@
 #include <set>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/page/files.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 

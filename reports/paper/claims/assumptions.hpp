@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/paper/claims/evidence.hpp"
+#include "edgewise/reports/paper/claims/claim_rules.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 

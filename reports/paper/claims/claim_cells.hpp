@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "edgewise/reports/paper/claims/claim_rules.hpp"
-#include "edgewise/reports/paper/claims/evidence.hpp"
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {

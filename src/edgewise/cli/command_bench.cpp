@@ -17,8 +17,8 @@
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
+#include "edgewise/studies/crosscheck.hpp"
 #include "edgewise/studies/gate/run.hpp"
-#include "edgewise/studies/model_speed.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
 
 namespace edgewise::cli {

@@ -16,7 +16,6 @@
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/campaign/cells.hpp"
-#include "edgewise/studies/campaign/progress_file.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
 namespace edgewise::cli {

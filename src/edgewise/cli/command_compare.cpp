@@ -11,7 +11,7 @@
 #include "edgewise/cli/options.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/records/machine_record.hpp"
-#include "edgewise/studies/gate/speed_record.hpp"
+#include "edgewise/studies/gate/run.hpp"
 
 namespace edgewise::cli {
 

@@ -13,7 +13,6 @@
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/effort/effort.hpp"
-#include "edgewise/studies/phases/effort_phases.hpp"
 #include "edgewise/studies/phases/phases.hpp"
 
 namespace edgewise::cli {

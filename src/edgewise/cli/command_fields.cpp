@@ -11,8 +11,8 @@
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/field_tables.hpp"
+#include "edgewise/studies/fields/best_groups.hpp"
 #include "edgewise/studies/fields/fields.hpp"
-#include "edgewise/studies/fields/group_text.hpp"
 
 namespace edgewise::cli {
 

@@ -13,6 +13,7 @@
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 #include "edgewise/studies/effort/callgrind_pass.hpp"
+#include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {
 
@@ -38,5 +39,17 @@ struct PerfCount {
 /// machine does not count an event, or perf does not count it all the time.
 [[nodiscard]] std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
                                                const measure::Cpu& cpu);
+
+// How fast the measuring itself is: accesses per second through the cache model and the reuse distances.
+
+struct ModelSpeed {
+    std::string what, trace;
+    std::uint64_t accesses = 0;
+    double per_second = 0;  ///< median of the repetitions
+};
+
+/// Measures a cell's own trace, kept in memory, and synthetic ones: all in the first level, and random over
+/// 64 MiB. The model has the three levels of zen5.
+[[nodiscard]] std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions);
 
 }  // namespace edgewise::studies

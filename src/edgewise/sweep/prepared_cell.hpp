@@ -17,7 +17,6 @@
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/truth/checked_answer.hpp"
-#include "edgewise/truth/known_pair.hpp"
 
 namespace edgewise::sweep {
 

@@ -13,8 +13,12 @@
 #pragma once
 
 #include <array>
+#include <span>
 
+#include "edgewise/geometry/pose.hpp"
+#include "edgewise/geometry/result.hpp"
 #include "edgewise/truth/depth/expanding_polytope.hpp"
+#include "edgewise/truth/depth/seed_simplex.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::truth {
@@ -27,5 +31,28 @@ void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simple
 
 /// Throws std::logic_error unless the depth is the distance of the origin from that face's plane.
 void require_depth(ExactPair& bodies, const ExpandingPolytope& polytope, std::uint32_t face);
+
+// How deep two convex bodies are in each other, exactly: the least translation that separates them, which is
+// the least distance of the origin from a facet's plane of the Minkowski difference A - B. Every answer is
+// proved before it is given (exact_proof.hpp).
+//
+// EPA on GMP integers: a polytope of points of A - B grows at the face that is nearest to the origin until
+// that face's plane bounds all of A - B. It needs no tolerance and not the whole hull of A - B, so there is
+// no limit of size but time. A pair of n-vertex spheres takes, shallow to concentric, 0.1 ms for n = 8, 0.2
+// to 1 ms for 38, 0.5 to 20 ms for 386 and 2 to 120 ms for 1520.
+
+struct ExactDepth {
+    double depth = 0;  ///< the double nearest to the true depth; 0 if the bodies only touch
+    /// Unit, from A towards B, each entry the nearest double: B moved by depth * normal only touches A. One
+    /// of several if they are equally near. If A - B is flat (no interior, depth 0), normal to it.
+    Vec3d normal = Vec3d::Zero();
+};
+
+/// Depth of bodies in contact; fails on separated bodies, an empty set, NaN or infinity. The seed may be
+/// the simplex of an exact_distance of the same pair. Throws std::logic_error if an answer fails its proof,
+/// which only a defect of this program can cause.
+[[nodiscard]] Result<ExactDepth> exact_depth(std::span<const Vec3d> a, const Pose& pose_a,
+                                             std::span<const Vec3d> b, const Pose& pose_b,
+                                             const SimplexSeed& seed = {});
 
 }  // namespace edgewise::truth

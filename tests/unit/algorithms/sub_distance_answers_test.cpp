@@ -12,7 +12,7 @@
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/single_cell.hpp"
-#include "edgewise/studies/stability/stability_cases.hpp"
+#include "edgewise/studies/stability/stability.hpp"
 
 namespace edgewise {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Numbers with intervals, and how quantities grow.
-#include "edgewise/reports/paper/claims/evidence.hpp"
+#include "edgewise/reports/paper/claims/claim_rules.hpp"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ TEST_F(Report, TurnsThePapersPicturesIntoPdf) {
     pictures.svg["figure_6"] =
         R"(<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"><path d="M0 0L40 30"/></svg>)";
     fs::create_directories(directory_ / "figures");
-    write_file(directory_ / "figures/figure_6.svg", pictures.svg["figure_6"]);
+    input::write_output(directory_ / "figures/figure_6.svg", pictures.svg["figure_6"]);
     const std::string note = write_cited_figures(data, charts, pictures, directory_);
     const auto version = measure::run_program({"env", "rsvg-convert", "--version"});
     if (version.value && version.value->exit_code == 0) {

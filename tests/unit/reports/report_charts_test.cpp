@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/charts/spec_file.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/ratio_interval.hpp"
 #include "edgewise/reports/text/report_text.hpp"

@@ -12,7 +12,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "edgewise/reports/page/files.hpp"
+#include "edgewise/input/file_text.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -118,7 +119,7 @@ class Report : public testing::Test {
         return path;
     }
     std::string text(const fs::path& name) const {
-        return read_file(directory_ / name).value_or("(missing)");
+        return input::read_file_text(directory_ / name).value.value_or("(missing)");
     }
     /// The one line that reading `path` fails with.
     static std::string failure(const std::string& path) {

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/charts/error_axis.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"

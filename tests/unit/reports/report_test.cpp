@@ -11,7 +11,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
-#include "edgewise/reports/page/safe_svg.hpp"
+#include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "made_up_data.hpp"
 #include "report_store.hpp"
@@ -132,9 +132,9 @@ TEST_F(Report, FactsNameMachineBuildSeedPlanAndCounters) {
 void make_bundles(const fs::path& directory) {
     fs::create_directories(directory);
     for (const std::string name : {"vega", "vega-lite", "vega-embed"}) {
-        write_file(directory / (name + ".min.js"),
-                   "const t='</script><!--';\n//# sourceMappingURL=" + name + ".map\n");
-        write_file(directory / (name + ".LICENSE"), "Copyright of " + name + "\n");
+        input::write_output(directory / (name + ".min.js"),
+                            "const t='</script><!--';\n//# sourceMappingURL=" + name + ".map\n");
+        input::write_output(directory / (name + ".LICENSE"), "Copyright of " + name + "\n");
     }
 }
 
@@ -211,8 +211,8 @@ TEST_F(Report, TheSameStoreGivesTheSameBytes) {
 
 TEST_F(Report, BadStoresGiveOneClearLine) {
     EXPECT_THAT(failure((directory_ / "absent.db").string()), HasSubstr("no results store at"));
-    write_file(directory_ / "text.db",
-               "this is no database, just a long enough line of text to be read as one\n");
+    input::write_output(directory_ / "text.db",
+                        "this is no database, just a long enough line of text to be read as one\n");
     EXPECT_THAT(failure((directory_ / "text.db").string()), HasSubstr("not an SQLite file"));
     const std::string empty = make_store(empty_store_sql());
     EXPECT_THAT(failure(empty), HasSubstr("holds no cell"));

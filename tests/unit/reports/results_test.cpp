@@ -2,7 +2,7 @@
 //
 // The results as files: read back, they are the store's numbers to the bit, and no text of theirs is a
 // formula to a spreadsheet.
-#include "edgewise/reports/results/wide_results.hpp"
+#include "edgewise/reports/results/export.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,6 @@
 
 #include "csv_reader.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "edgewise/reports/results/csv_row.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
 #include "made_up_data.hpp"
 #include "report_store.hpp"
@@ -135,7 +134,7 @@ TEST_F(Report, HasEveryCellOfTheBuildInItsResults) {
 
 TEST_F(Report, LeavesNoResultsOfAnEarlierStore) {
     fs::create_directories(directory_ / "out" / "results");
-    write_file(directory_ / "out" / "results" / "gone.csv", "old\r\n");
+    input::write_output(directory_ / "out" / "results" / "gone.csv", "old\r\n");
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     EXPECT_FALSE(fs::exists(directory_ / "out" / "results" / "gone.csv"));
 }

@@ -14,8 +14,8 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "made_scene.hpp"
 
 namespace edgewise::scene {

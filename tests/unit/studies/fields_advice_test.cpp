@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "edgewise/studies/fields/best_groups.hpp"
 #include "edgewise/studies/fields/fields.hpp"
-#include "edgewise/studies/fields/group_text.hpp"
 
 namespace edgewise::studies {
 namespace {

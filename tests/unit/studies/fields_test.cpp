@@ -13,8 +13,7 @@
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/studies/fields/best_groups.hpp"
-#include "edgewise/studies/fields/field_places.hpp"
-#include "edgewise/studies/fields/group_text.hpp"
+#include "edgewise/studies/fields/field_trace.hpp"
 
 namespace edgewise::studies {
 namespace {

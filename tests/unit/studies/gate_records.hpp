@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/studies/gate/speed_record.hpp"
+#include "edgewise/studies/gate/run.hpp"
 
 namespace edgewise::studies {
 

@@ -6,8 +6,6 @@
 
 #include <gmock/gmock.h>
 
-#include "edgewise/studies/phases/effort_phases.hpp"
-
 namespace edgewise::studies {
 namespace {
 

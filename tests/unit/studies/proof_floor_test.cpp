@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The floor of cubes, counted by hand, and that the vertices it reads prove what they are read for.
-#include "edgewise/studies/effort/proof_floor.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs drawn from known truths: a right build passes, a slowdown is caught and named, whatever the noise.
-#include "edgewise/studies/gate/speed_record.hpp"
+#include "edgewise/studies/gate/run.hpp"
 
 #include <gmock/gmock.h>
 

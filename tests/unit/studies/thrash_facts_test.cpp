@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "edgewise/studies/thrash/figure_8_facts.hpp"
+#include "edgewise/studies/thrash/factorial.hpp"
 #include "edgewise/studies/thrash/realised_cell.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 

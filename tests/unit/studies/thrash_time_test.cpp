@@ -8,7 +8,7 @@
 #include <cmath>
 #include <list>
 
-#include "edgewise/studies/thrash/query_time.hpp"
+#include "edgewise/studies/thrash/factorial.hpp"
 
 namespace edgewise::studies::thrash {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The proof that the origin is inside a tetrahedron, against exact volumes: never given where it is not,
 // however flat; always where it is by more than the error.
-#include "edgewise/truth/filter/enclosure.hpp"
+#include "edgewise/truth/filter/float_proof.hpp"
 
 #include <gtest/gtest.h>
 

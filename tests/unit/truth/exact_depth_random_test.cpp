@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "edgewise/geometry/hull.hpp"
-#include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth {

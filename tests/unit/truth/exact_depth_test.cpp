@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Exact penetration depth against closed forms: boxes, contacts, flat bodies, bad input.
-#include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "edgewise/truth/depth/exact_depth.hpp"
 #include "edgewise/truth/exact_distance.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth {

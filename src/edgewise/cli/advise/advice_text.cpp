@@ -6,12 +6,11 @@
 
 #include "edgewise/cli/advise/advice.hpp"
 #include "edgewise/cli/command.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/studies/advise/changes.hpp"
+#include "edgewise/studies/advise/screen.hpp"
 
 namespace edgewise::cli {
 

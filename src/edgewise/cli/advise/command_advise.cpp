@@ -11,11 +11,9 @@
 #include <stdexcept>
 
 #include "edgewise/cli/advise/advice.hpp"
-#include "edgewise/cli/advise/race.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/scene/scene_file.hpp"

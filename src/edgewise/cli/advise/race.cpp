@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/cli/advise/race.hpp"
+#include "edgewise/cli/advise/advice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +16,7 @@
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/studies/advise/prediction.hpp"
+#include "edgewise/studies/advise/race_plan.hpp"
 
 namespace edgewise::cli {
 

@@ -10,10 +10,14 @@
 // structures) takes the counts of CoAccess for a model of the cost. We count the lines themselves.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "edgewise/layout_parts/field_groups.hpp"
 #include "edgewise/studies/fields/field_trace.hpp"
+#include "edgewise/table/field_map.hpp"
 
 namespace edgewise::studies {
 
@@ -27,5 +31,15 @@ inline constexpr std::uint64_t searched_queries = 2000;
 /// Returns the groups that a table has now; nothing if fields of its records do not follow each other at one
 /// distance, or are scattered scalar by scalar.
 [[nodiscard]] std::optional<FieldGroups> groups_of(const FieldMap& map);
+
+// Groups of fields as text: JSON for files, {"groups": [["tail_plane", "head_plane"], ["direction"]]}, and
+// one line for people and for the store, "tail_plane,head_plane|direction".
+
+[[nodiscard]] std::string groups_text(const FieldGroups& groups, std::span<const RecordField> fields);
+[[nodiscard]] nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields);
+
+/// Reads a file in the format of groups_json, with every field once and one kind of record per group.
+/// Throws std::invalid_argument: file, what is wrong, which groups are expected.
+[[nodiscard]] FieldGroups read_groups(const std::string& file, std::span<const RecordField> fields);
 
 }  // namespace edgewise::studies

@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <map>
 #include <stdexcept>
+#include <string_view>
+#include <unordered_map>
 
 #include "edgewise/layout_parts/stored_fields.hpp"
 #include "edgewise/measure/cache/cache_model.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/studies/fields/best_groups.hpp"
-#include "edgewise/studies/fields/field_places.hpp"
-#include "edgewise/studies/fields/group_text.hpp"
+#include "edgewise/studies/fields/field_trace.hpp"
 
 namespace edgewise::studies {
 
@@ -197,6 +201,128 @@ std::string builder_of(const bench::TableType& type) { return "grouped_" + type.
 
 FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round) {
     return FieldsRun(plan).run(on_round);
+}
+
+// Decides whether advice on fields held.
+
+using Role = FieldsContender::Role;
+
+std::string_view to_string(FieldsContender::Role role) {
+    constexpr std::string_view names[] = {"original", "own groups", "control", "advised", "beside"};
+    return names[static_cast<int>(role)];
+}
+
+std::string_view to_string(Held held) {
+    constexpr std::string_view names[] = {"held", "did not hold", "within the noise"};
+    return names[static_cast<int>(held)];
+}
+
+const FieldsContender* FieldsAdvice::find(Role role) const {
+    const auto found = std::find_if(contenders.begin(), contenders.end(),
+                                    [&](const FieldsContender& contender) { return contender.role == role; });
+    return found == contenders.end() ? nullptr : &*found;
+}
+
+std::optional<TimeRatio> FieldsAdvice::ratio(Role above, Role below) const {
+    const FieldsContender *const a = find(above), *const b = find(below);
+    if (!a || !b) return std::nullopt;
+    const std::vector<double> ratios = measure::paired_ratios(a->ns, b->ns);
+    const auto middle = measure::median(ratios);
+    const auto interval = measure::bootstrap_median(ratios);
+    if (!middle || !interval) return std::nullopt;
+    return TimeRatio{interval->lower, *middle, interval->upper};
+}
+
+Role FieldsAdvice::baseline() const { return own ? Role::own_groups : Role::original; }
+
+bool FieldsAdvice::all_right() const {
+    return std::all_of(contenders.begin(), contenders.end(),
+                       [](const FieldsContender& contender) { return contender.wrong.empty(); });
+}
+
+Held FieldsAdvice::lines_held() const {
+    const FieldsContender *const built = find(Role::advised), *const before = find(Role::original);
+    if (!built || !before) return Held::no;
+    return built->cost.lines == predicted.lines && built->cost.lines < before->cost.lines ? Held::yes
+                                                                                          : Held::no;
+}
+
+Held FieldsAdvice::time_held() const {
+    const auto time = ratio(Role::advised, baseline()), noise = ratio(Role::control, baseline());
+    if (!time || !noise) return Held::within_noise;
+    if (time->high < std::min(1.0, noise->low)) return Held::yes;
+    return time->low > std::max(1.0, noise->high) ? Held::no : Held::within_noise;
+}
+
+namespace {
+
+/// Fields as bits.
+using FieldSet = std::uint32_t;
+
+void add_set(FieldCounts& counts, FieldSet set) {
+    for (FieldSet left = set; left != 0; left &= left - 1) {
+        const auto a = static_cast<std::size_t>(std::countr_zero(left));
+        for (FieldSet others = set; others != 0; others &= others - 1)
+            ++counts[a][static_cast<std::size_t>(std::countr_zero(others))];
+    }
+}
+
+class CoAccessCounter {
+  public:
+    explicit CoAccessCounter(const std::vector<RecordField>& fields) {
+        const FieldCounts none(fields.size(), std::vector<std::uint64_t>(fields.size()));
+        counts_ = {none, none, none};
+        std::map<std::string_view, std::uint64_t> kinds;
+        for (const RecordField& field : fields)
+            kind_.push_back(kinds.emplace(field.record, kinds.size()).first->second);
+    }
+
+    void read(measure::TraceSide side, const FieldAccess& field) {
+        const FieldSet bit = FieldSet{1} << field.field;
+        of_step_ |= bit;
+        const std::uint64_t whose =
+            kind_[field.field] << 40 | std::uint64_t{field.element} << 8 | static_cast<std::uint64_t>(side);
+        of_records_[whose] |= bit;
+    }
+    void end_step() {
+        if (of_step_ == 0) return;
+        ++counts_.steps;
+        add_set(counts_.by_step, of_step_);
+        for (const auto& [whose, set] : of_records_) add_set(counts_.by_record, set);
+        of_query_ |= of_step_;
+        of_step_ = 0;
+        of_records_.clear();
+    }
+    void end_query() {
+        end_step();
+        ++counts_.queries;
+        add_set(counts_.by_query, of_query_);
+        of_query_ = 0;
+    }
+    [[nodiscard]] CoAccess take() { return std::move(counts_); }
+
+  private:
+    CoAccess counts_;
+    std::vector<std::uint64_t> kind_;  ///< of record, by field
+    FieldSet of_step_ = 0, of_query_ = 0;
+    std::unordered_map<std::uint64_t, FieldSet> of_records_;  ///< of the step
+};
+
+}  // namespace
+
+double CoAccess::overlap(const FieldCounts& counts, std::size_t a, std::size_t b) {
+    const std::uint64_t both = counts[a][b], either = counts[a][a] + counts[b][b] - both;
+    return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
+}
+
+CoAccess co_access(const FieldTrace& trace) {
+    CoAccessCounter counter(trace.fields());
+    for (const FieldEvent& event : trace.events) {
+        if (event.kind == FieldEvent::Kind::step_start) counter.end_step();
+        if (event.kind == FieldEvent::Kind::field) counter.read(event.access.side, event.field);
+        if (event.kind == FieldEvent::Kind::query_end) counter.end_query();
+    }
+    return counter.take();
 }
 
 }  // namespace edgewise::studies

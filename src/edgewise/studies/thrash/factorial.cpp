@@ -10,9 +10,37 @@
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/shapes.hpp"
-#include "edgewise/studies/thrash/query_time.hpp"
 
 namespace edgewise::studies::thrash {
+
+namespace {
+
+double longest(const SpeedCurve& curve) { return *std::max_element(curve.begin(), curve.end()); }
+
+}  // namespace
+
+double largest_fall(const SpeedCurve& curve) {
+    double fall = 0;
+    for (std::size_t slow = 0; slow < curve.size(); ++slow)
+        for (std::size_t fast = slow + 1; fast < curve.size(); ++fast)
+            fall = std::max(fall, curve[slow] / curve[fast]);
+    return fall;
+}
+
+FactScore score(const Figure8& figure) {
+    FactScore found;
+    found.rise = longest(figure.vclip_386) / longest(figure.vclip_38);
+    found.top_ns = longest(figure.vclip_386);
+    found.gjk_rise = longest(figure.gjk_386) / longest(figure.gjk_38);
+    found.gjk_rise_from_8 = longest(figure.gjk_386) / longest(figure.gjk_8);
+    found.fall = largest_fall(figure.vclip_386);
+    found.gjk_fall = largest_fall(figure.gjk_386);
+    found.holds = {found.rise >= least_rise && found.rise <= most_rise,
+                   found.top_ns >= least_top_ns && found.top_ns <= most_top_ns,
+                   found.gjk_rise <= most_gjk_rise && found.gjk_rise >= 1 / most_gjk_rise,
+                   found.fall >= least_fall && found.gjk_fall < least_fall};
+    return found;
+}
 
 namespace {
 
@@ -272,6 +300,73 @@ Factorial run_factorial(const Levels& levels, const std::function<void()>& on_tr
     measure_builds(levels, result);
     Scorer(levels, sizes, scenes, result).score_all();
     return result;
+}
+
+namespace {
+
+/// An LRU memory smaller than what is swept over once a step misses every unit of the sweep, one as large
+/// misses none.
+double swept_misses(double units, double memory_units) { return units > memory_units ? units : 0; }
+
+/// Returns the misses of a step's queries after a sweep: the memory holds the sweep's last units, so this
+/// part of the step's distinct units misses on average.
+double misses_after_sweep(double distinct, double units, double memory_units) {
+    return distinct * std::max(0.0, 1 - memory_units / units);
+}
+
+double page_faults(const TimedScene& scene, std::uint64_t memory_bytes) {
+    return misses_at(scene.sizes->pages, scene.demand->page_misses, memory_bytes / page_bytes);
+}
+
+/// Every table's plane, vertex and direction turned in every step, then the queries on what that left.
+double transform_ns(const TimedScene& scene, const Setting& setting) {
+    const MemoryDemand& demand = *scene.demand;
+    const OldMachine& machine = *scene.machine;
+    const double lines = demand.tables * demand.table_bytes / line_bytes,
+                 pages = demand.tables * demand.table_bytes / page_bytes;
+    const double steps_per_query = static_cast<double>(demand.steps) / static_cast<double>(demand.queries);
+    const auto first = static_cast<double>(machine.lines(0)), second = static_cast<double>(machine.lines(1)),
+               tlb = static_cast<double>(machine.tlb_pages()),
+               memory = static_cast<double>(setting.memory_bytes / page_bytes);
+    const double sweep = lines * machine.ns_of_cycles(cycles_per_turned_line) +
+                         machine.memory_time_ns(swept_misses(lines, first), swept_misses(lines, second),
+                                                swept_misses(pages, tlb)) +
+                         swept_misses(pages, memory) * setting.fault_ns;
+    const double second_misses = misses_at(scene.sizes->lines, demand.line_misses, machine.lines(1));
+    const double more_lines =
+        std::max(0.0, misses_after_sweep(demand.lines_of_a_step, lines, second) - second_misses);
+    const double more_faults = std::max(0.0, misses_after_sweep(demand.pages_of_a_step, pages, memory) -
+                                                 page_faults(scene, setting.memory_bytes));
+    return sweep * steps_per_query + more_lines * (machine.memory_ns() - machine.second_level_ns()) +
+           more_faults * setting.fault_ns;
+}
+
+double mechanism_ns(const TimedScene& scene, const Setting& setting) {
+    const MemoryDemand& demand = *scene.demand;
+    switch (setting.mechanism) {
+        case Mechanism::queries_alone:
+            return 0;
+        case Mechanism::whole_table_transform:
+            return scene.is_vclip ? transform_ns(scene, setting) : 0;
+        case Mechanism::builds:
+            return setting.intensity * scene.build_reads * scene.ns_per_read;
+        case Mechanism::builds_of_vclip:
+            return scene.is_vclip ? setting.intensity * scene.build_reads * scene.ns_per_read : 0;
+        case Mechanism::capped_cycles:
+            return scene.is_vclip && scene.is_large
+                       ? setting.intensity * reads_per_feature_step * scene.ns_per_read
+                       : 0;
+        case Mechanism::first_touches:
+            return demand.pages / papers_iterations * setting.fault_ns;
+    }
+    return 0;
+}
+
+}  // namespace
+
+double query_ns(const TimedScene& scene, const Setting& setting) {
+    return scene.demand->reads * scene.ns_per_read + cache_ns(*scene.machine, *scene.sizes, *scene.demand) +
+           page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns(scene, setting);
 }
 
 }  // namespace edgewise::studies::thrash

@@ -1,22 +1,66 @@
 // SPDX-License-Identifier: MIT
 //
 // Possible causes of figure 8: every combination of the conditions that the paper leaves open is scored by
-// the four facts that the figure states (figure_8_facts.hpp). Demands are traced once (memory_demand.hpp).
-// The rest is arithmetic (memory_demand.hpp), so it is the same on every machine, except the cost of building
+// the four facts that the figure states. Demands are traced once (memory_demand.hpp). The rest is arithmetic,
+// so it is the same on every machine, except the cost of building
 // a table, which is measured here.
+//
+// The four facts that figure 8 states (section 4), each a number and a rule. The time axes of figures 7 and 8
+// have marks at their ends only, 1e-4 s and 1.2e-3 s: a maximum is known to a factor of two at best.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "edgewise/studies/thrash/figure_8_facts.hpp"
 #include "edgewise/studies/thrash/memory_demand.hpp"
 
 namespace edgewise::studies::thrash {
+
+/// The axis of speed of figures 7 and 8, rad per second.
+inline constexpr std::array<double, 7> speeds = {1, 2, 3, 4, 5, 6, 7};
+
+/// ns per query at each of the speeds.
+using SpeedCurve = std::array<double, speeds.size()>;
+
+struct Figure8 {
+    SpeedCurve vclip_8, vclip_38, vclip_386, gjk_8, gjk_38, gjk_386;
+};
+
+enum class Fact : std::uint8_t { rises, takes_as_long, spares_gjk, erratic };
+inline constexpr std::array<std::string_view, 4> fact_names = {"rises", "takes_as_long", "spares_gjk",
+                                                               "erratic"};
+
+inline constexpr double least_rise = 6, most_rise = 24;             ///< half and double of 12
+inline constexpr double least_top_ns = 0.6e6, most_top_ns = 1.2e6;  ///< of an axis that ends at 1.2e-3 s
+inline constexpr double most_gjk_rise = 2;
+inline constexpr double least_fall = 1.2;  ///< as the claim vclip_erratic_at_386 has it
+
+struct FactScore {
+    double rise = 0;             ///< V-Clip's longest at 386 vertices over its longest at 38
+    double top_ns = 0;           ///< V-Clip's longest at 386
+    double gjk_rise = 0;         ///< GJK's longest, likewise
+    double gjk_rise_from_8 = 0;  ///< shown, not scored
+    double fall = 0;             ///< the largest of V-Clip at 386 from one speed to a faster one, as a ratio
+    double gjk_fall = 0;
+    std::array<bool, 4> holds{};
+
+    [[nodiscard]] int count() const { return holds[0] + holds[1] + holds[2] + holds[3]; }
+    /// Bit i: fact i holds.
+    [[nodiscard]] unsigned mask() const {
+        return holds[0] * 1U + holds[1] * 2U + holds[2] * 4U + holds[3] * 8U;
+    }
+};
+
+/// Returns the largest ratio of a time to the time at a faster speed; 1 or less if the time never falls.
+[[nodiscard]] double largest_fall(const SpeedCurve& curve);
+
+[[nodiscard]] FactScore score(const Figure8& figure);
 
 /// Work that happens besides the queries.
 enum class Mechanism : std::uint8_t {
@@ -100,5 +144,29 @@ struct Factorial {
 
 /// Returns how many scenes the factorial traces.
 [[nodiscard]] std::size_t scenes_to_trace(const Levels& levels);
+
+// The time of a query under one setting of the factorial: the demand of its scene, and what the mechanism
+// adds.
+
+/// What a time depends on.
+struct TimedScene {
+    const OldMachine* machine = nullptr;
+    const MemorySizes* sizes = nullptr;
+    const MemoryDemand* demand = nullptr;
+    double ns_per_read = 0;
+    double build_reads = 0;                   ///< of a table, in reads' worth of time
+    bool is_vclip = false, is_large = false;  ///< of 386 vertices
+};
+
+/// Arithmetic of turning 32 bytes, a plane of four doubles, to world space: 21 operations, one per cycle of a
+/// processor of the time.
+inline constexpr double cycles_per_turned_line = 21;
+/// Reads of a feature step of V-Clip: about the 228 of a slow query of 386 vertices over its 3 to 4 steps.
+inline constexpr double reads_per_feature_step = 60;
+/// Iterations that the paper's times of one point are means of.
+inline constexpr double papers_iterations = 30000;
+
+/// ns per query.
+[[nodiscard]] double query_ns(const TimedScene& scene, const Setting& setting);
 
 }  // namespace edgewise::studies::thrash

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "answer_cells.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/store/schema.hpp"
 

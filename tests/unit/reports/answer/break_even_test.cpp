@@ -12,7 +12,7 @@
 #include <set>
 
 #include "answer_cells.hpp"
-#include "edgewise/reports/pictures/break_even_picture.hpp"
+#include "edgewise/reports/pictures/ranking_pictures.hpp"
 #include "edgewise/reports/scene_label.hpp"
 
 namespace edgewise::reports {

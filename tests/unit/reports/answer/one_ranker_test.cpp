@@ -16,7 +16,6 @@
 #include <regex>
 
 #include "answer_cells.hpp"
-#include "edgewise/reports/answer/answer_json.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"

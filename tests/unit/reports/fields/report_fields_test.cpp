@@ -3,8 +3,7 @@
 // The chapter on fields from synthetic rows: advice and verdicts, records before and after, the matrix.
 #include <gmock/gmock.h>
 
-#include "edgewise/reports/charts/co_access_picture.hpp"
-#include "edgewise/reports/page/chapters/fields_chapter.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/tables/field_tables.hpp"
 
 namespace edgewise::reports {

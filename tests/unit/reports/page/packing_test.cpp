@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Packed data of the page unpack to the original text, by zlib and by hand.
-#include "edgewise/reports/page/packing.hpp"
+#include "edgewise/reports/page/html.hpp"
 
 #include <gmock/gmock.h>
 #include <zlib.h>
-
-#include "edgewise/reports/page/safe_svg.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -16,7 +16,6 @@
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/results/export.hpp"
-#include "edgewise/reports/results/wide_results.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -132,7 +131,8 @@ TEST_F(Report, IsWrittenWhateverTheNamesAre) {
     for (const auto& entry : fs::recursive_directory_iterator(directory_ / "out")) {
         if (!entry.is_regular_file()) continue;
         EXPECT_LT(entry.path().filename().string().size(), 200U);
-        if (entry.path().extension() == ".csv") texts.push_back(read_file(entry.path()).value()), ++files;
+        if (entry.path().extension() == ".csv")
+            texts.push_back(*input::read_file_text(entry.path())), ++files;
     }
     EXPECT_GT(files, names.size());
     for (const std::string& shown : texts)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sentences on how another question would change an advice: each appears if and only if it is true.
-#include "edgewise/studies/advise/changes.hpp"
+#include "edgewise/studies/advise/screen.hpp"
 
 #include <gmock/gmock.h>
 

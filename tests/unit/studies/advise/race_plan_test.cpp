@@ -9,7 +9,6 @@
 #include <set>
 
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/studies/advise/prediction.hpp"
 
 namespace edgewise::studies::advise {
 

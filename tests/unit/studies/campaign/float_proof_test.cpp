@@ -12,8 +12,8 @@
 
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
-#include "edgewise/truth/depth/exact_depth.hpp"
-#include "edgewise/truth/known_pair.hpp"
+#include "edgewise/truth/checked_answer.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 
 namespace edgewise::studies::campaign {
 namespace {
