@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
@@ -60,14 +62,17 @@ std::optional<Evidence> ratio_of_rounds(const ReportCell& cell) {
     return interval_evidence(*measure::median(ratios), interval->low, interval->high);
 }
 
-std::string angular_scene(int vertices) { return fmt::format("paper_angular_{}", vertices); }
-
-Evidence no_slow_cell(int vertices, const std::string& algorithm) {
-    return no_evidence(fmt::format("no cell of scene {}, {} on aos_f64, with a speed above 0 is stored",
-                                   angular_scene(vertices), algorithm));
-}
-
 }  // namespace
+
+CellKey key_of(const std::string& text) {
+    std::istringstream words(text);
+    CellKey key;
+    words >> key.algorithm >> key.scene >> key.shape;
+    for (std::string* part : {&key.scene, &key.shape})
+        if (*part == "*") part->clear();
+    if (std::string table; std::getline(words >> std::ws, table)) key.table = table;
+    return key;
+}
 
 const ReportCell* find_cell(const ReportData& data, const CellKey& key) {
     const ReportCell* first = nullptr;
@@ -101,15 +106,21 @@ std::vector<CurveCell> in_range(const std::vector<CurveCell>& cells, const Curve
     return inside;
 }
 
-Evidence figure_of(const ReportCell& cell, const store::FigureName& name) {
-    if (!cell.verified())
-        return no_evidence(fmt::format("a cell is {}: {}", to_string(cell.status), cell.reason));
-    const measure::Figure figure = cell.figure(name);
-    if (figure.value) return exact_evidence(*figure.value);
-    return no_evidence(fmt::format("{}.{}: {}", name.probe(), name.name(), figure.reason));
+measure::Figure stored_figure(const ReportCell& cell, const std::string& name) {
+    const std::string probe = name.substr(0, name.find('.')), rest = name.substr(probe.size() + 1);
+    if (!store::find_figure(probe, rest)) throw std::out_of_range(name + ": no such figure");
+    return cell.figure(probe, rest);
 }
 
-Evidence figure_of(const ReportData& data, const CellKey& key, const store::FigureName& name) {
+Evidence figure_of(const ReportCell& cell, const std::string& name) {
+    const measure::Figure figure = stored_figure(cell, name);
+    if (!cell.verified())
+        return no_evidence(fmt::format("a cell is {}: {}", to_string(cell.status), cell.reason));
+    if (figure.value) return exact_evidence(*figure.value);
+    return no_evidence(fmt::format("{}: {}", name, figure.reason));
+}
+
+Evidence figure_of(const ReportData& data, const CellKey& key, const std::string& name) {
     const ReportCell* cell = find_cell(data, key);
     return cell ? figure_of(*cell, name) : no_evidence(no_stored_cell(key));
 }
@@ -140,18 +151,6 @@ Evidence time_ratio(const ReportData& data, const CellKey& key, const CellKey& b
     return time_ratio(*above, *below);
 }
 
-std::vector<CurvePoint> curve_of(const std::vector<CurveCell>& cells, const store::FigureName& name) {
-    std::vector<CurvePoint> curve;
-    for (const CurveCell& at : cells) curve.push_back({at.x, figure_of(*at.cell, name)});
-    return curve;
-}
-
-std::vector<CurvePoint> time_curve(const std::vector<CurveCell>& cells) {
-    std::vector<CurvePoint> curve;
-    for (const CurveCell& at : cells) curve.push_back({at.x, time_of(*at.cell)});
-    return curve;
-}
-
 std::vector<CurvePoint> ratio_curve(const std::vector<CurveCell>& cells,
                                     const std::vector<CurveCell>& baselines) {
     return joined_at(cells, baselines, [](const CurveCell& above, const CurveCell& below) {
@@ -159,48 +158,15 @@ std::vector<CurvePoint> ratio_curve(const std::vector<CurveCell>& cells,
     });
 }
 
-std::vector<CurvePoint> quotient_curve(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b) {
+std::vector<CurvePoint> joined_curve(const std::vector<CurvePoint>& a, const std::vector<CurvePoint>& b,
+                                     Evidence (*join)(const Evidence&, const Evidence&)) {
     return joined_at(
-        a, b, [](const CurvePoint& above, const CurvePoint& below) { return quotient(above.y, below.y); });
-}
-
-std::vector<Evidence> values_of(const std::vector<CurvePoint>& curve) {
-    std::vector<Evidence> values;
-    for (const CurvePoint& point : curve) values.push_back(point.y);
-    return values;
+        a, b, [&](const CurvePoint& above, const CurvePoint& below) { return join(above.y, below.y); });
 }
 
 std::string paper_shape(int vertices) {
     return vertices == 4 ? "tetra4" : vertices == 8 ? "cube8" : "sphere" + std::to_string(vertices);
 }
-
-std::vector<CurveCell> angular_cells(const ReportData& data, int vertices, const std::string& algorithm,
-                                     const CurveRange& steps) {
-    return in_range(cells_along(data, {angular_scene(vertices), "", algorithm}, "rotation_step"), steps);
-}
-
-std::string no_angular_cells(int vertices) {
-    return fmt::format("no cells of scene {} with speeds in the range are stored", angular_scene(vertices));
-}
-
-const ReportCell* slowest_cell(const ReportData& data, int vertices, const std::string& algorithm) {
-    for (const CurveCell& at : cells_along(data, {angular_scene(vertices), "", algorithm}, "rotation_step"))
-        if (at.x > 0) return at.cell;
-    return nullptr;
-}
-
-Evidence slowest_figure(const ReportData& data, int vertices, const std::string& algorithm,
-                        const store::FigureName& name) {
-    const ReportCell* cell = slowest_cell(data, vertices, algorithm);
-    return cell ? figure_of(*cell, name) : no_slow_cell(vertices, algorithm);
-}
-
-Evidence slowest_time(const ReportData& data, int vertices, const std::string& algorithm) {
-    const ReportCell* cell = slowest_cell(data, vertices, algorithm);
-    return cell ? time_of(*cell) : no_slow_cell(vertices, algorithm);
-}
-
-// Relative residuals, since the largest body's value would outweigh all others'.
 
 namespace {
 

@@ -64,6 +64,11 @@ Evidence sum(const Evidence& a, const Evidence& b) {
     return {*a.value + *b.value, a.low + b.low, a.high + b.high};
 }
 
+Evidence multiple(const Evidence& of, double factor) {
+    if (!of.value) return of;
+    return {*of.value * factor, of.low * factor, of.high * factor};
+}
+
 Evidence no_less_than(Evidence a, double least) {
     if (!a.value) return a;
     return {std::max(*a.value, least), std::max(a.low, least), std::max(a.high, least)};
@@ -258,13 +263,6 @@ Claim judge_variants(const std::string& id, const std::string& assumption,
     claim.verdict = "depends on: " + assumption;
     claim.reason = fmt::format("the paper does not name its {}: {}", assumption, reasons);
     return claim;
-}
-
-Claim both_readings(const std::string& id, const std::function<PartList(const TimeStepReading&)>& parts) {
-    std::vector<ClaimVariant> variants;
-    for (const TimeStepReading& reading : {reading_60th, reading_half})
-        variants.push_back({reading.name, parts(reading)});
-    return judge_variants(id, "time step", variants);
 }
 
 }  // namespace edgewise::reports

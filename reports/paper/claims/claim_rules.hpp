@@ -8,7 +8,6 @@
 // both errors met at their worst.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +34,8 @@ struct Evidence {
 /// Returns the evidence, raised to `least` if it is smaller: for counts that are divisors and may be 0.
 [[nodiscard]] Evidence no_less_than(Evidence a, double least);
 
+/// Returns the evidence times a number above 0.
+[[nodiscard]] Evidence multiple(const Evidence& of, double factor);
 /// Returns the geometric mean; none where a value is missing, or with the given reason for an empty list.
 [[nodiscard]] Evidence geometric_mean(const std::vector<Evidence>& all,
                                       const std::string& when_none = "no such cell is stored");
@@ -91,8 +92,7 @@ struct ClaimVariant {
 /// on: ASSUMPTION" where they decide otherwise. There must be some.
 [[nodiscard]] Claim judge_variants(const std::string& id, const std::string& assumption,
                                    const std::vector<ClaimVariant>& variants);
-/// The variants of both readings.
-[[nodiscard]] Claim both_readings(const std::string& id,
-                                  const std::function<PartList(const TimeStepReading&)>& parts);
+/// All claims in the order of claims.json, whose parts are computed from the store.
+[[nodiscard]] std::vector<Claim> claims_in_order(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -14,7 +14,7 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/paper/claims/claim_cells.hpp"
+#include "edgewise/reports/paper/claims/claim_rules.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -43,14 +43,6 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
 }
 
 constexpr const char* not_measured = "not measured";
-
-/// What weighs most first.
-constexpr const char* kinds_of_claims[] = {"primary", "mechanism", "background"};
-
-std::ptrdiff_t place_of_kind(const Claim& claim) {
-    return std::find(std::begin(kinds_of_claims), std::end(kinds_of_claims), claim.kind) -
-           std::begin(kinds_of_claims);
-}
 
 /// A verdict with its number of a footnote where nothing was measured, as in every other table.
 GridCell verdict_cell(const Claim& claim) {
@@ -107,22 +99,15 @@ std::string machine_of_claims(const ReportData& data) {
 }  // namespace
 
 std::vector<Claim> judge_claims(const ReportData& data) {
-    std::vector<Claim> all;
-    for (const auto group :
-         {performance_claims, coherence_claims, scalability_claims, complexity_claims, memory_claims,
-          thrash_claims, paging_claims, robustness_claims, ease_claims, algorithm_claims}) {
-        std::vector<Claim> claims = group(data);
-        std::move(claims.begin(), claims.end(), std::back_inserter(all));
-    }
+    std::vector<Claim> all = claims_in_order(data);
     for (Claim& claim : all) claim.conditions = claim_conditions(data, claim.deterministic);
-    std::ranges::stable_sort(all, {}, place_of_kind);
     return all;
 }
 
 std::string claims_summary(const std::vector<Claim>& claims) {
     std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
     for (const Claim& claim : claims) {
-        if (claim.kind != kinds_of_claims[0]) continue;
+        if (claim.kind != "primary") continue;
         const auto found = std::ranges::find_if(
             names_by_verdict, [&](const auto& entry) { return entry.first == claim.verdict; });
         if (found == names_by_verdict.end())

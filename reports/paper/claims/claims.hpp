@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the paper claims (Levey, Peters and O'Sullivan, 2001), sentence by sentence where a sentence can be
-// measured, with a verdict that a rule computes from the results store. Rules and their thresholds are in
-// claim_*.cpp, by theme; nothing is judged by hand.
+// measured, with a verdict that a rule computes from the results store. Rules and their thresholds are
+// in claims.json; nothing is judged by hand.
 #pragma once
 
 #include <string>
