@@ -233,7 +233,8 @@ AnswerJson scene_json(const SceneRanking& scene) {
                        {"own_tables", scene.own_tables},
                        {"beats_baseline", scene.beats_baseline},
                        {"noise", or_null(scene.own_variation.factor)},
-                       {"not_measured", scene.not_measured}};
+                       {"not_measured", scene.not_measured},
+                       {"over_limit", scene.over_limit}};
     json["cells"] = AnswerJson::array();
     for (const RankedCell& one : scene.cells) {
         json["cells"].push_back(ranked_json(one));

@@ -63,13 +63,13 @@ std::string near_contact_fact(const Recommendation& take, const std::vector<Scen
 /// Says why the scenes of a body recommend nothing, and how to measure what is missing.
 std::vector<std::string> why_nothing_is_taken(const std::vector<SceneRanking>& scenes,
                                               const std::string& command) {
-    std::string missing;
+    std::string why;
     for (const SceneRanking& scene : scenes)
         if (scene.winner() && !scene.recommends())
-            append(missing, fmt::format("{}: {}", scene.label, fmt::join(scene.not_measured, ", ")), "; ");
+            append(why, fmt::format("{}: {}", scene.label, scene.why_not()), "; ");
     if (scenes.empty()) return {"not measured; measure it with: " + command};
-    if (missing.empty()) return {"nothing is within the error"};
-    return {fmt::format("not measured ({}); measure it with: {}", missing, command), contest_rule()};
+    if (why.empty()) return {"nothing is within the error"};
+    return {fmt::format("too few cells ({}); measure more with: {}", why, command), contest_rule()};
 }
 
 std::string bytes_fact(const RankedCell& cell) {

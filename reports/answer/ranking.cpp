@@ -244,8 +244,7 @@ bool is_small(const RankedCell& one) {
     return one.bytes_per_edge && *one.bytes_per_edge <= small_bytes_per_edge;
 }
 
-std::vector<std::string> missing_from(const SceneRanking& scene, const Known& fast) {
-    std::vector<std::string> missing;
+void find_missing(SceneRanking& scene, const Known& fast) {
     for (const char* const algorithm : both_algorithms) {
         bool has_small = false, has_fast = false;
         for (const RankedCell& one : scene.cells) {
@@ -254,17 +253,29 @@ std::vector<std::string> missing_from(const SceneRanking& scene, const Known& fa
             has_fast = has_fast || fast.contains({scene.shape, algorithm, one.table});
         }
         const std::string name = algorithm_title(algorithm);
-        if (!has_small) missing.push_back(name + " on a small layout");
-        if (!has_fast) missing.push_back(name + " on a fast layout");
+        if (types_of(scene, algorithm) > 0 && !scene.best(algorithm)) {
+            scene.over_limit.push_back(name);
+            continue;
+        }
+        if (!has_small) scene.not_measured.push_back(name + " on a small layout");
+        if (!has_fast) scene.not_measured.push_back(name + " on a fast layout");
     }
-    return missing;
 }
 
 }  // namespace
 
 void check_contests(std::vector<SceneRanking>& scenes) {
     const Known fast = fast_ones(scenes);
-    for (SceneRanking& scene : scenes) scene.not_measured = missing_from(scene, fast);
+    for (SceneRanking& scene : scenes) find_missing(scene, fast);
+}
+
+std::string SceneRanking::why_not() const {
+    std::string missing, why;
+    for (const std::string& cell : not_measured) append(missing, cell);
+    if (!missing.empty()) why = "not measured: " + missing;
+    for (const std::string& name : over_limit)
+        append(why, fmt::format("every cell of {} exceeds the error limit", name), "; ");
+    return why;
 }
 
 std::string contest_rule() {

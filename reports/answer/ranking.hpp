@@ -110,8 +110,13 @@ struct SceneRanking {
     bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
     /// Cells to be measured before anything is recommended, "GJK on a small layout" (check_contests).
     std::vector<std::string> not_measured = {};
+    /// Algorithms that were measured, and whose cells all exceed the error limit: "GJK" (check_contests).
+    std::vector<std::string> over_limit = {};
 
-    [[nodiscard]] bool recommends() const { return not_measured.empty(); }
+    [[nodiscard]] bool recommends() const { return not_measured.empty() && over_limit.empty(); }
+    /// Returns "not measured: GJK on a small layout; every cell of V-Clip exceeds the error limit"; empty if
+    /// the scene recommends.
+    [[nodiscard]] std::string why_not() const;
     /// Each of the following functions returns null if no cell matches.
     [[nodiscard]] const RankedCell* winner() const;
     [[nodiscard]] const RankedCell* baseline() const;                          ///< its own cell
@@ -142,7 +147,7 @@ inline constexpr double small_bytes_per_edge = 42;
 /// these bodies in which the most table types of that algorithm were measured.
 inline constexpr double fast_ratio = 1.25;
 
-/// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout".
+/// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout"; and `over_limit`.
 void check_contests(std::vector<SceneRanking>& scenes);
 
 /// Returns the rule in one sentence.

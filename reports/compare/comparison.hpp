@@ -23,18 +23,23 @@ struct StoreComparison {
 /// Returns the line that says how much the baseline's own cells vary.
 [[nodiscard]] std::string noise_text(const StoreComparison& comparison);
 
-// Formats that CI reads. All of them have the rule of significance of the comparison: a difference that
-// intervals and slack allow counts as none.
+// Formats for CI. All of them use the comparison's rule of significance: a change within the intervals and
+// the slack counts as no change.
 
 inline constexpr const char *ci_markdown = "markdown", *ci_github = "github", *ci_bencher = "bencher",
                             *ci_junit = "junit";
 
-/// Returns a comparison of any records in one of these formats. `markdown`: a table of at most five rows for
-/// a pull request (regressions and improvements of exact figures and of times, and rows without a number on
-/// both sides: how many, and mean and range of the change), the verdict, and the full text, folded. `github`:
-/// the new figures for github-action-benchmark (customSmallerIsBetter). `bencher`: the new figures in Bencher
-/// Metric Format. `junit`: a test case for each row. The two formats of figures leave out cells that only one
-/// record has. `old_name`: the old record's file; figures of a record with one cell are called after it.
+/// Returns a comparison of two records in one of these formats. `old_name`: the old record's file; figures of
+/// a record with one cell are named after it.
+///
+/// `markdown`: a comment for a pull request. It has a table, the verdict, and the full text, folded. The
+/// table has at most five rows: regressions and improvements of exact figures, the same of times, and rows
+/// that lack a number in one record. Each row has a count, and the mean and the range of the change.
+///
+/// `github`: the new figures for github-action-benchmark (customSmallerIsBetter). `bencher`: the new figures
+/// in Bencher Metric Format. Both leave out cells that only one record has.
+///
+/// `junit`: a test case for each row.
 [[nodiscard]] std::string ci_text(const measure::RecordComparison& found, const std::string& format,
                                   const std::string& old_name);
 

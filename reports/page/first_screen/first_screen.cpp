@@ -34,9 +34,7 @@ std::string beside(const std::optional<double>& value, const std::string& unit =
 }
 
 std::string take_of_scene(const SceneRanking& scene, const RankedCell& choice) {
-    std::string missing;
-    for (const std::string& cell : scene.not_measured) append(missing, cell);
-    if (!missing.empty()) return fmt::format("nothing is recommended; not measured: {}", missing);
+    if (!scene.recommends()) return "nothing is recommended; " + scene.why_not();
     if (scene.beats_baseline) return choice.name();
     if (scene.too_noisy) return fmt::format("too noisy to choose by; {}", choice.name());
     return &choice == scene.baseline() ? "nothing beats the paper's layout"

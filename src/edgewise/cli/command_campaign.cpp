@@ -40,7 +40,7 @@ std::uint64_t proofs_of(const FamilyTally& family) {
     return family.double_proofs + family.wide_proofs + family.exact_proofs;
 }
 
-/// Of the pairs' distances in each storage.
+/// Returns the share of distances that a filter proved without exact arithmetic.
 double share_by_filter(const FamilyTally& family) {
     return per(count(family.double_proofs + family.wide_proofs), count(proofs_of(family)));
 }
@@ -74,8 +74,8 @@ void print_families(const CampaignProgress& progress) {
 
 void print_cells(const CampaignProgress& progress, std::span<const Cell> cells) {
     reports::TextGrid grid{
-        "", reports::columns_of("cell|#answers|#refused|#in band|#wrong|#worst error|#of pair|" +
-                                std::string(cells.empty() ? " " : "and as many as answer alike"))};
+        "", reports::columns_of("cell|#answers|#refused|#in band|#wrong|#worst error|#in pair|" +
+                                std::string(cells.empty() ? " " : "cells with equal answers"))};
     for (const auto& [name, cell] : progress.tally.cells) {
         const auto found = std::ranges::find(cells, name, &Cell::name);
         const std::size_t alike = found == cells.end() ? 0 : found->as_well.size();
@@ -86,15 +86,17 @@ void print_cells(const CampaignProgress& progress, std::span<const Cell> cells) 
     fmt::print("{}", grid_text(grid));
 }
 
-/// A row per family and one per cell. Without `cells` it does not say who answers as well.
+/// Prints a row per family and a row per cell. Without `cells` it does not count cells with equal answers.
 void print_campaign(const CampaignProgress& progress, std::span<const Cell> cells, const std::string& state) {
     print_families(progress);
     print_cells(progress, cells);
     const FamilyTally all = progress.tally.all_families();
     fmt::print(
-        "\n{} of {} pairs of shard {}, {} answers in {:.1f} s: {}\nRates are of one thread and take in "
-        "making the pairs, asking every cell and proving. double, wide, exact: how the distance became known, in "
-        "percent of pairs and storages. Of the pairs: separated, grazing (distance or depth within the band, verdict not asked), touching, overlapping. Errors are bounds, divided by the scale, beyond the band.\nstate: {}{}\n",
+        "\n{} of {} pairs of shard {}, {} answers in {:.1f} s: {}\nRates are of one thread, for making the pairs, "
+        "asking every cell and proving the answers.\ndouble, wide, exact: share of distances proven in double "
+        "precision, in wider arithmetic, and exactly.\nsep., gra., tou., ove.: share of pairs that are separated, "
+        "grazing (nearer to contact than the error band, so the verdict is not checked), touching, "
+        "overlapping.\nworst error: an upper bound, beyond the error band, divided by the scale.\nstate: {}{}\n",
         progress.pairs(), progress.question.pairs, progress.question.shard.text(), all.answers,
         progress.seconds, all.answers == 0 ? "nothing was compared" : fmt::format("{} wrong", all.wrong),
         state, progress.is_done() ? "" : "; not done: the same command goes on from it");

@@ -87,9 +87,10 @@ CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers
 }
 
 CLI::Option* add_machines_option(CLI::App& command, std::vector<std::string>& machines) {
-    return add_names(command, "--machines,--machine", machines,
-                     "machines whose caches are modelled: names (edgewise list machines), host, your own "
-                     "NAME.json, or sizes such as l2=256K,l3=8M");
+    return add_names(
+        command, "--machines,--machine", machines,
+        "machines whose caches are modelled: a name (edgewise list machines), host for this machine, "
+        "your own NAME.json, or cache sizes such as l2=256K,l3=8M");
 }
 
 CLI::Option* add_families_option(CLI::App& command, std::vector<std::string>& families) {
@@ -207,7 +208,7 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
 
 void add_margin_option(CLI::App& command, std::optional<double>& margin) {
     add_number(command, "--margin", margin, input::above_0,
-               fmt::format("of --needs nearer: the distance asked about, over the larger body's extent "
+               fmt::format("the distance that --needs nearer asks about, divided by the larger body's extent "
                            "(else {})",
                            bench::usual_margin));
 }

@@ -63,8 +63,8 @@ std::size_t count_dropped(const Screen& screen) {
         std::ranges::count_if(screen.cells, [](const ScreenedCell& cell) { return !cell.is_in(); }));
 }
 
-/// The steps of an advice, one after the other, in so many seconds: a line to `say` for each. What there is
-/// no time for is left out, and named.
+/// Runs the steps of an advice within a time limit and calls `say` with a line after each step. A step that
+/// would take longer than the time left is skipped, and the advice names it.
 class Measuring {
   public:
     Measuring(Advice& advice, double seconds, const std::function<void(const std::string&)>& say)
@@ -133,7 +133,8 @@ class Measuring {
         advice_.left_out.insert(advice_.left_out.begin(), unmodelled.begin(), unmodelled.end());
     }
 
-    /// Of the case with its tables the other way, shorter than the first look; half of a look says nothing.
+    /// Looks at the same case with a table each instead of a shared one, or the reverse, with fewer queries.
+    /// Keeps no result unless the time is enough for all cells.
     void look_at_other_tables() {
         studies::advise::CaseAsked other = advice_.asked;
         other.own_tables = !other.own_tables;

@@ -87,7 +87,7 @@ std::string scene_file(const char* name, const CaseAsked& asked, const sweep::Sc
                                                       {"parameters", scene.parameters}});
 }
 
-/// Every table and algorithm of these cells.
+/// Returns a sweep of all table types and algorithms of these cells.
 RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
     std::set<std::string> tables, algorithms;
     for (const auto& cell : cells) {
@@ -100,7 +100,7 @@ RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
     return sweep;
 }
 
-/// Returns the command. It ends the process after this number of seconds.
+/// Returns the command line of the sweep, which is ended after this number of seconds.
 std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& asked, const WorkFolder& folder,
                                     double seconds) {
     // coreutils' timeout ends it when the time is over; Ctrl-C still ends both.

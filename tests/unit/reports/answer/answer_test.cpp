@@ -294,11 +294,26 @@ TEST(Answer, NothingIsRecommendedWithoutSmallAndFastCells) {
             continue;
         }
         EXPECT_THAT(answer.own.front().not_measured, ElementsAre(needed[left_out].second));
-        EXPECT_THAT(text, HasSubstr("a table each: nothing is recommended: not measured (own: "));
+        EXPECT_THAT(text,
+                    HasSubstr("a table each: nothing is recommended: too few cells (own: not measured: "));
         EXPECT_THAT(text, HasSubstr(needed[left_out].second));
         EXPECT_THAT(text, HasSubstr("edgewise advise --shape sphere386 --own-tables --error 1e-6"));
         EXPECT_TRUE(answer_json(answer_of(data, {.own_tables = true}))["take"].is_null());
     }
+}
+
+/// An algorithm whose cells all exceed the error limit was measured, and the text says so.
+TEST(Answer, AnAlgorithmOverTheLimitIsNotCalledUnmeasured) {
+    ReportData data;
+    TimedCell big_gjk{"gjk", "aos", "f64", {0.8, 0.81, 0.82}, 1e-5, 90},
+        small_gjk{"gjk", "points_soa", "f32", {1.8, 1.9, 2}, 1e-4, 4.1};
+    for (const TimedCell& made : {made_paper, made_small, big_gjk, small_gjk})
+        data.cells.push_back(answer_cell(made));
+    const Answer answer = answer_of(data);
+    EXPECT_EQ(answer.shared.front().why_not(), "every cell of GJK exceeds the error limit");
+    EXPECT_FALSE(recommendation_of(answer.shared));
+    EXPECT_THAT(terminal_text(answer, data), AllOf(HasSubstr("every cell of GJK exceeds the error limit"),
+                                                   Not(HasSubstr("not measured: GJK"))));
 }
 
 }  // namespace
