@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <map>
-#include <set>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/results/main_figures.hpp"
@@ -15,8 +15,10 @@ namespace {
 
 std::string dumped(const ChartJson& json) { return input::json_text(json); }
 
-/// Seven digits: what a count up to ten million has, and more than any time.
-ChartJson rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
+/// Seven digits of a whole number, a count up to ten million; of others five, one more than the page shows.
+ChartJson rounded(double value) {
+    return std::stod(fmt::format("{:.{}g}", value, value == std::floor(value) ? 7 : 5));
+}
 
 /// Texts and their places, in order of appearance.
 class Dictionary {
@@ -40,7 +42,7 @@ ChartJson identity_columns(const std::vector<const ReportCell*>& cells) {
         for (const ReportCell* cell : cells) values.push_back(get(*cell));
         columns[name] = std::move(values);
     };
-    add("cell", [](const ReportCell& cell) { return cell.hash; });
+    add("cell", [](const ReportCell& cell) { return cell.hash.substr(0, 12); });  // as in tables
     add("scene", [](const ReportCell& cell) { return cell.scene_label; });
     add("shape", [](const ReportCell& cell) { return cell.shape; });
     add("vertices", [](const ReportCell& cell) { return cell.vertices; });

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
@@ -250,7 +252,9 @@ std::string first_screen_html(const Answer& answer, const ReportData& data) {
 
 std::string answers_data(const ReportData& data) {
     const Decisions decisions(data);
-    nlohmann::ordered_json answers = nlohmann::ordered_json::object();
+    nlohmann::ordered_json answers = nlohmann::ordered_json::object(),
+                           lines = nlohmann::ordered_json::array();
+    std::map<std::string, std::size_t> places;  // of the lines: most are in several answers
     std::vector<std::string> shapes = {""};
     for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
     for (const std::string& shape : shapes) {
@@ -258,13 +262,18 @@ std::string answers_data(const ReportData& data) {
             Question question{.error_limit = limit};
             if (!shape.empty()) question.shape = shape;
             const Answer answer = answer_of_scenes(data, question);
+            nlohmann::ordered_json html = nlohmann::ordered_json::array();
+            std::istringstream text(answer_html(answer, decisions.table(limit, shape), data));
+            for (std::string line; std::getline(text, line);) {
+                const auto [at, is_new] = places.emplace(line, lines.size());
+                if (is_new) lines.push_back(line);
+                html.push_back(at->second);
+            }
             answers[shape + " " + limit_text(limit)] = {
-                {"title", title_of(limit)},
-                {"command", advise_command(answer)},
-                {"html", answer_html(answer, decisions.table(limit, shape), data)}};
+                {"title", title_of(limit)}, {"command", advise_command(answer)}, {"html", html}};
         }
     }
-    return input::json_text(answers);
+    return input::json_text(nlohmann::ordered_json{{"lines", lines}, {"answers", answers}});
 }
 
 }  // namespace edgewise::reports

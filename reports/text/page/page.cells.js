@@ -60,7 +60,7 @@ function cellCard(store, i) {
 }
 
 async function showCell() {
-    const wanted = new URLSearchParams(location.hash.slice(1)).get('cell');
+    const wanted = new URLSearchParams(location.hash.slice(1)).get('cell')?.slice(0, 12);
     if (!wanted) return;
     const store = await storeCells();
     const place = document.getElementById('card'), i = store.cells.cell.indexOf(wanted);

@@ -5,10 +5,10 @@ const field = name => document.getElementById('ask-' + name);
 
 async function askAgain() {
     const shape = field('shape').value, limit = field('limit').value, tables = field('tables').value;
-    const answer = (await unpackJson('answers'))[shape + ' ' + limit];
+    const { lines, answers } = await unpackJson('answers'), answer = answers[shape + ' ' + limit];
     document.querySelector('h1').textContent = answer.title;
     const place = document.getElementById('answer'), open = place.querySelector('details')?.open;
-    place.innerHTML = answer.html;
+    place.innerHTML = answer.html.map(line => lines[line]).join('\n');
     place.querySelector('details')?.toggleAttribute('open', open || shape !== '');
     place.dataset.tables = tables;
     startScrollBoxes(place);
@@ -50,7 +50,7 @@ function startQuestion() {
     form.addEventListener('submit', event => event.preventDefault());
     form.addEventListener('change', () => { keepQuestion(); askAgain(); });
     if (takeQuestion()) return askAgain();
-    unpackJson('answers').then(answers => {
+    unpackJson('answers').then(({ answers }) => {
         const answer = answers[field('shape').value + ' ' + field('limit').value];
         if (answer) showCommand(answer.command, field('tables').value);
     });

@@ -77,11 +77,23 @@ std::string lines_of_grid(const json& grid) {
     return lines;
 }
 
+/// The answers with their HTML in one piece, as the page's script shows them.
+json whole_answers(const json& data) {
+    json answers = data["answers"];
+    for (json& answer : answers) {
+        std::string html;
+        for (const std::size_t line : answer["html"]) html += data["lines"][line].get<std::string>() + "\n";
+        answer["html"] = html;
+    }
+    return answers;
+}
+
 /// One hash per member of the page's other data, because some members are long HTML.
 std::string hashes_of(const std::string& page) {
     std::string lines;
     for (const char* name : {"answers", "maps", "cells", "bodies", "folds"}) {
-        const json data = packed(page, name);
+        json data = packed(page, name);
+        if (name == std::string("answers")) data = whole_answers(data);
         for (const auto& [key, value] : data.items())
             lines += fmt::format("{} {} {}\n", name, key, hash_of(value.dump()));
     }
