@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/reports/reader.hpp"
 
+#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
@@ -125,6 +131,206 @@ ReportData read_report(const std::string& store, const std::string& build, const
     data.cells = reader_in_order(std::move(stored.cells));
     sort_out(data);
     return data;
+}
+
+// The labels of scenes: from a scene's own parameters alone, so that a scene is called the same in every
+// store and can be cited. Parameters that are no JSON object are shown as they are.
+
+namespace {
+
+using SceneLabelJson = nlohmann::json;
+
+SceneLabelJson parse_parameters(const std::string& text) {
+    SceneLabelJson parsed = input::json_or_null(text);
+    if (parsed.is_object()) return parsed;
+    return text.empty() ? SceneLabelJson::object() : SceneLabelJson{{"parameters", text}};
+}
+
+std::string shown(const SceneLabelJson& value) {
+    if (value.is_string()) return value.get<std::string>();
+    const double number = value.is_number() ? value.get<double>() : 0.5;
+    return std::floor(number) == number ? fmt::format("{:.0f}", number) : value.dump();
+}
+
+const SceneStandard* standard_of(std::string_view kind, std::string_view parameter) {
+    const auto standards = scene_standards();
+    const auto found = std::ranges::find_if(standards, [&](const SceneStandard& standard) {
+        return standard.kind == kind && standard.parameter == parameter;
+    });
+    return found == standards.end() ? nullptr : &*found;
+}
+
+bool goes_without_saying(const std::string& kind, const std::string& name, const SceneLabelJson& value) {
+    const SceneStandard* standard = standard_of(kind, name);
+    return standard && !standard->always_said && value.is_number() && value.get<double>() == standard->value;
+}
+
+std::string label(const std::string& scene, const std::vector<std::string>& inside) {
+    return inside.empty() ? scene : fmt::format("{} ({})", scene, fmt::join(inside, ", "));
+}
+
+/// The parameter that a scene file varies; empty: none.
+std::string varied_by(const SceneLabelJson& file) {
+    const SceneLabelJson vary = file.is_object() ? file.value("vary", SceneLabelJson()) : SceneLabelJson();
+    return vary.is_object() && !vary.empty() ? vary.begin().key() : std::string();
+}
+
+}  // namespace
+
+std::span<const SceneStandard> scene_standards() {
+    static constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
+                                                  {"static", "bodies", 64},
+                                                  {"static", "margin", 0},
+                                                  {"cold", "distance", 1},
+                                                  {"cold", "overlapping", 0.1},
+                                                  {"cold", "deepest", 0.5},
+                                                  {"gap", "gap", -0.1, true},
+                                                  {"gap", "span", 1.1},
+                                                  {"tumble", "rotation_step", 0.01, true},
+                                                  {"tumble", "translation_step", 0.001},
+                                                  {"tumble", "bodies", 12},
+                                                  {"tumble", "occupancy", 0.1},
+                                                  {"tumble", "margin", 0.2},
+                                                  {"tumble", "steps", 100},
+                                                  {"tumble", "in_time_order", 0},
+                                                  {"tumble", "step_in_dimensions", 0},
+                                                  {"tumble", "random_orientation", 0},
+                                                  {"tumble", "random_velocities", 0},
+                                                  {"tumble", "own_tables", 0},
+                                                  {"tumble", "box_of_bodies", 0},
+                                                  {"tumble", "precession", 0},
+                                                  {"tumble", "least_steps", 0},
+                                                  {"tumble", "population", 0},
+                                                  {"proximity", "pairs", 30},
+                                                  {"proximity", "gap", 0.001},
+                                                  {"proximity", "rotation_step", 0.25 / 60},
+                                                  {"pressure", "bodies", 600, true},
+                                                  {"pressure", "rotation_step", 0.1},
+                                                  {"pressure", "gap", 0.1},
+                                                  {"pressure", "new_order", 0},
+                                                  {"pressure", "least_steps", 0},
+                                                  {"pressure", "own_tables", 1}};
+    return standards;
+}
+
+std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
+    const SceneLabelJson parameters = input::json_or_null(cell.scene_parameters);
+    if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
+        return std::nullopt;
+    return parameters[name].get<double>();
+}
+
+std::string scene_label(const store::CellRow& cell, const std::string& file_text) {
+    const SceneLabelJson parameters = parse_parameters(cell.scene_parameters);
+    const SceneLabelJson file = input::json_or_null(file_text);
+    const std::string varied = varied_by(file);
+    if (!varied.empty() && parameters.contains(varied))
+        return label(cell.scene, {varied + " " + shown(parameters[varied])});
+    if (file.is_object() && varied.empty()) return cell.scene;
+    const std::string kind = file.is_object() ? file.value("scene", cell.scene) : cell.scene;
+    std::vector<std::string> inside;
+    for (const auto& [name, value] : parameters.items())
+        if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
+    const bool of_study = cell.run != store::sweep_run && cell.scene != cell.run;
+    return label(of_study ? cell.run + " " + cell.scene : cell.scene, inside);
+}
+
+namespace {
+
+/// Returns "12 bodies" if the scene says how many.
+std::string bodies_text(const ReportCell& cell) {
+    const auto bodies = parameter_of(cell, "bodies");
+    return bodies ? plural(static_cast<std::size_t>(*bodies), "body", "bodies") : "bodies";
+}
+
+std::string turn_of(const ReportCell& cell) {
+    if (parameter_of(cell, "random_orientation") == 1) return "turn at random in every step";
+    const auto turn = parameter_of(cell, "rotation_step");
+    return turn ? fmt::format("turn by {:g} rad per step", *turn) : "turn";
+}
+
+std::string motion_of(const ReportCell& cell) {
+    const std::string kind = scene_kind(cell), bodies = bodies_text(cell);
+    if (kind == "static") return fmt::format("{} at rest, every pair new, from sweep and prune", bodies);
+    if (kind == "cold") return "independent random pairs, every query new";
+    if (kind == "gap") return "independent random pairs at given gaps, every query new";
+    if (kind == "tumble")
+        return fmt::format("{} drift and {}, pairs followed from step to step", bodies, turn_of(cell));
+    if (kind == "proximity") return fmt::format("pairs that stay close and {}", turn_of(cell));
+    if (kind == "pressure")
+        return fmt::format("{} in a row {}, neighbours asked in turn", bodies, turn_of(cell));
+    return kind;
+}
+
+}  // namespace
+
+std::string scene_kind(const ReportCell& cell) {
+    return cell.scene_kind.empty() ? cell.scene : cell.scene_kind;
+}
+
+bool has_own_tables(const ReportCell& cell) {
+    return scene_kind(cell) == "pressure" || parameter_of(cell, "own_tables") == 1;
+}
+
+bool is_near_contact(const ReportCell& cell) {
+    constexpr double widest_gap = 0.01;
+    const std::string kind = scene_kind(cell);
+    const double gap = parameter_of(cell, "gap").value_or(-1);
+    return (kind == "proximity" || (kind == "gap" && parameter_of(cell, "span") == 0)) && gap >= 0 &&
+           gap <= widest_gap;
+}
+
+std::string scene_sentence(const ReportCell& cell) {
+    return fmt::format("{}; {}", motion_of(cell),
+                       has_own_tables(cell) ? "a table for each body" : "one shared table");
+}
+
+namespace {
+
+constexpr double classes_per_decade = 2;
+
+/// Returns the nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
+double class_of(double turn) {
+    return std::pow(10, std::round(classes_per_decade * std::log10(turn)) / classes_per_decade);
+}
+
+}  // namespace
+
+std::string Coherence::text() const {
+    if (start == Start::fresh) return kind + ", every pair new";
+    if (start == Start::random) return kind + ", random turns";
+    return turn == 0 ? kind + ", no turn" : fmt::format("{}, {:.1g} rad", kind, turn);
+}
+
+std::optional<Coherence> coherence_of(const ReportCell& cell) {
+    const std::string kind = scene_kind(cell);
+    if (kind == "static" || kind == "cold" || kind == "gap")
+        return Coherence{Coherence::Start::fresh, 0, kind};
+    if (parameter_of(cell, "random_orientation") == 1) return Coherence{Coherence::Start::random, 0, kind};
+    const auto turn = parameter_of(cell, "rotation_step");
+    if (!turn || !(*turn >= 0)) return std::nullopt;
+    return Coherence{Coherence::Start::turned, *turn == 0 ? 0 : class_of(*turn), kind};
+}
+
+double distance_from_class(const ReportCell& cell, const Coherence& coherence) {
+    if (coherence.turn == 0) return 1;
+    const double turn = parameter_of(cell, "rotation_step").value_or(coherence.turn);
+    return std::max(turn / coherence.turn, coherence.turn / turn);
+}
+
+std::optional<int> tables_class(const ReportCell& cell) {
+    if (!has_own_tables(cell)) return -1;
+    const auto bodies = parameter_of(cell, "bodies");
+    if (!bodies || !(*bodies >= 1)) return std::nullopt;
+    int power = 0;
+    for (double next = 10; *bodies >= next; next *= 10) ++power;
+    return power;
+}
+
+std::string tables_class_text(int of) {
+    if (of < 0) return "one shared table";
+    const double first = std::pow(10, of);
+    return fmt::format("{:.0f} to {:.0f} tables", of == 0 ? 2 : first, 10 * first - 1);
 }
 
 }  // namespace edgewise::reports

@@ -4,9 +4,11 @@
 // separate.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,7 +20,7 @@ namespace edgewise::reports {
 
 /// `axes` are part of `table` here, because cells with axes are shown next to the plain ones.
 struct ReportCell : store::StoredCell {
-    std::string scene_label;  ///< what the scene is called (scene_label.hpp)
+    std::string scene_label;  ///< what the scene is called
 
     /// The value of an axis; null where the cell has none of that name.
     [[nodiscard]] std::optional<std::string> axis(std::string_view name) const;
@@ -54,5 +56,65 @@ struct ReportData {
 /// Reads one build as store::read_build does.
 [[nodiscard]] ReportData read_report(const std::string& store, const std::string& build = {},
                                      const store::OnCell& on_cell = {});
+
+// Labels of scenes: the name, and the parameters that differ from those of the standard scene of its kind. A
+// label depends on the cell alone, never on other contents of the store. Also gives a description of the
+// scene in one sentence, how much a query has in common with the previous query of its pair, and how many
+// tables the queries go through: the break-even map finds a winner by coherence, tables and vertices.
+
+/// A parameter's standard value, which a label omits unless scenes of the kind differ by it.
+struct SceneStandard {
+    std::string_view kind, parameter;
+    double value;
+    bool always_said = false;
+};
+/// Returns the standard values, equal to those of `edgewise list scenes` (a test of the command line compares
+/// the two).
+[[nodiscard]] std::span<const SceneStandard> scene_standards();
+
+/// Returns "tumble (rotation_step 0.1, bodies 100)"; for a scene file, given as its JSON, its name and the
+/// value of what it varies: "more_bodies (bodies 200)".
+[[nodiscard]] std::string scene_label(const store::CellRow& cell, const std::string& file_text = {});
+
+/// Returns a number of the cell's scene parameters; null if none has that name.
+[[nodiscard]] std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name);
+
+/// Returns the kind of scene of a scene file, else the scene itself.
+[[nodiscard]] std::string scene_kind(const ReportCell& cell);
+
+/// Returns true if every body has a table of its own, false if all share one.
+[[nodiscard]] bool has_own_tables(const ReportCell& cell);
+
+/// Returns true if every pair is placed at most a hundredth of the bodies' size apart.
+[[nodiscard]] bool is_near_contact(const ReportCell& cell);
+
+/// Returns "100 bodies drift and turn by 0.1 rad per step, followed from step to step; one shared table".
+[[nodiscard]] std::string scene_sentence(const ReportCell& cell);
+
+/// How each pair starts a query, ordered from the most coherent to the least.
+struct Coherence {
+    enum class Start { turned, random, fresh };  ///< by an angle; at random; a pair without an earlier query
+
+    Start start = Start::fresh;
+    double turn = 0;   ///< radians per step: 0, or a power of the root of ten
+    std::string kind;  ///< kind of scene
+
+    auto operator<=>(const Coherence&) const = default;
+
+    /// Returns "tumble, 0.1 rad", "tumble, random turns", "cold, every pair new".
+    [[nodiscard]] std::string text() const;
+};
+
+/// Returns the coherence of a cell's scene; null if the scene does not say it.
+[[nodiscard]] std::optional<Coherence> coherence_of(const ReportCell& cell);
+
+/// Returns the ratio, at least 1, of the scene's turn to the turn of its class; 1 for scenes without a turn.
+[[nodiscard]] double distance_from_class(const ReportCell& cell, const Coherence& coherence);
+
+/// Returns the class of the number of tables: its power of ten; -1 if all bodies share one table.
+/// Null if the bodies have tables of their own and the scene does not say how many.
+[[nodiscard]] std::optional<int> tables_class(const ReportCell& cell);
+/// Returns "one shared table", "2 to 9 tables", "100 to 999 tables".
+[[nodiscard]] std::string tables_class_text(int of);
 
 }  // namespace edgewise::reports

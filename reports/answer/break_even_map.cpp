@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

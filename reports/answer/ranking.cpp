@@ -13,7 +13,7 @@
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

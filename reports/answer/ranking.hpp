@@ -110,7 +110,7 @@ struct SceneRanking {
     bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
     /// Cells to be measured before anything is recommended, "GJK on a small layout" (check_contests).
     std::vector<std::string> not_measured = {};
-    /// Algorithms that were measured, and whose cells all exceed the error limit: "GJK" (check_contests).
+    /// Measured algorithms without a cell within the error limit: "GJK" (check_contests).
     std::vector<std::string> over_limit = {};
 
     [[nodiscard]] bool recommends() const { return not_measured.empty() && over_limit.empty(); }

@@ -29,8 +29,8 @@ struct StoreComparison {
 inline constexpr const char *ci_markdown = "markdown", *ci_github = "github", *ci_bencher = "bencher",
                             *ci_junit = "junit";
 
-/// Returns a comparison of two records in one of these formats. `old_name`: the old record's file; figures of
-/// a record with one cell are named after it.
+/// Returns the comparison of two records in a format for CI. `old_name`: the old record's file, after which
+/// the figures of a record with one cell are named.
 ///
 /// `markdown`: a comment for a pull request. It has a table, the verdict, and the full text, folded. The
 /// table has at most five rows: regressions and improvements of exact figures, the same of times, and rows

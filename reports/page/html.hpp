@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page is made of: its few HTML elements, whose text is escaped here; packed texts and scripts; and
-// pictures that are safe to show.
+// The parts of the page: a few HTML elements, with escaped text; packed texts and scripts; and pictures that
+// were found to be safe.
 #pragma once
 
 #include <filesystem>

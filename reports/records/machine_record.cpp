@@ -11,7 +11,7 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
-#include "edgewise/reports/scene_label.hpp"
 
 namespace edgewise::reports {
 

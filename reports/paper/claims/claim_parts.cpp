@@ -26,7 +26,7 @@ namespace {
 using ClaimFile = nlohmann::ordered_json;
 using Rows = std::vector<const ReportCell*>;
 
-/// What expressions are computed from.
+/// The store, and the names and the time step of one claim.
 struct Scope {
     const ReportData& data;
     const ClaimFile& names;  ///< the claim's "with"
@@ -65,7 +65,7 @@ std::vector<ClaimFile> expanded(const ClaimFile& list) {
     return all;
 }
 
-/// The expression that "$NAME" stands for.
+/// Returns the expression of "$NAME".
 const ClaimFile& named(const ClaimFile& name, const Scope& scope) {
     return scope.names.at(name.get<std::string>().substr(1));
 }
@@ -163,8 +163,8 @@ Evidence largest_fall(const Curve& curve) {
     return largest(falls, "fewer than two speeds are stored in the range");
 }
 
-/// Cells of V-Clip and GJK: of the "sweep", or rows of the "families" of the stability run, of which
-/// "families vclip aos_f64" are some.
+/// Returns rows of V-Clip and GJK: cells of the "sweep", rows of the "families" of the stability run, or of
+/// one algorithm on one table type in it, "families vclip aos_f64".
 Rows rows_called(const std::string& name, const ReportData& data) {
     Rows rows = data.swept();
     if (name != "sweep") rows.clear();

@@ -87,10 +87,9 @@ CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers
 }
 
 CLI::Option* add_machines_option(CLI::App& command, std::vector<std::string>& machines) {
-    return add_names(
-        command, "--machines,--machine", machines,
-        "machines whose caches are modelled: a name (edgewise list machines), host for this machine, "
-        "your own NAME.json, or cache sizes such as l2=256K,l3=8M");
+    return add_names(command, "--machines,--machine", machines,
+                     "models the caches of these machines: a name (edgewise list machines), host for this "
+                     "machine, your own NAME.json, or cache sizes such as l2=256K,l3=8M");
 }
 
 CLI::Option* add_families_option(CLI::App& command, std::vector<std::string>& families) {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 #include "edgewise/scene/scenes.hpp"
 
 namespace edgewise {

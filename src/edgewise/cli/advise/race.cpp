@@ -87,7 +87,7 @@ std::string scene_file(const char* name, const CaseAsked& asked, const sweep::Sc
                                                       {"parameters", scene.parameters}});
 }
 
-/// Returns a sweep of all table types and algorithms of these cells.
+/// Returns a sweep of the table types and the algorithms of the cells.
 RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
     std::set<std::string> tables, algorithms;
     for (const auto& cell : cells) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -16,6 +17,8 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/usage/usage.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/reports/text/report_text.hpp"
+#include "edgewise/scene/case_text.hpp"
 
 namespace edgewise::cli {
 
@@ -189,6 +192,17 @@ std::string fish_completion(const CLI::App& app) {
 }
 
 }  // namespace
+
+std::string examples_of(const std::string& path) {
+    static const auto examples = nlohmann::json::parse(reports::report_text("examples.json"));
+    std::string text = "Examples:\n";
+    for (const nlohmann::json& line : examples.at(path))
+        text += "  edgewise " + line.get<std::string>() + "\n";
+    if (path == "query" || path == "judge")
+        text += fmt::format("\nA case, one per line (faces, poses, R and t may be left out):\n  {}\n",
+                            scene::case_template);
+    return text;
+}
 
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;

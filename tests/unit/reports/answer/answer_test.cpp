@@ -302,7 +302,7 @@ TEST(Answer, NothingIsRecommendedWithoutSmallAndFastCells) {
     }
 }
 
-/// An algorithm whose cells all exceed the error limit was measured, and the text says so.
+/// All cells of GJK exceed the error limit. The text says so, and does not call GJK unmeasured.
 TEST(Answer, AnAlgorithmOverTheLimitIsNotCalledUnmeasured) {
     ReportData data;
     TimedCell big_gjk{"gjk", "aos", "f64", {0.8, 0.81, 0.82}, 1e-5, 90},

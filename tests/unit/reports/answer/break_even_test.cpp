@@ -13,7 +13,7 @@
 
 #include "answer_cells.hpp"
 #include "edgewise/reports/pictures/ranking_pictures.hpp"
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -2,7 +2,7 @@
 //
 // A scene is called the same in every store: by what differs from its kind's standard scene, or by what its
 // file varies.
-#include "edgewise/reports/scene_label.hpp"
+#include "edgewise/reports/reader.hpp"
 
 #include <gtest/gtest.h>
 
