@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <map>
 
 #include "edgewise/input/json_text.hpp"
@@ -15,10 +14,8 @@ namespace {
 
 std::string dumped(const ChartJson& json) { return input::json_text(json); }
 
-/// Seven digits of a whole number, a count up to ten million; of others five, one more than the page shows.
-ChartJson rounded(double value) {
-    return std::stod(fmt::format("{:.{}g}", value, value == std::floor(value) ? 7 : 5));
-}
+/// Seven digits: what a count up to ten million has, and more than any time.
+ChartJson rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
 
 /// Texts and their places, in order of appearance.
 class Dictionary {
