@@ -8,6 +8,7 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
 foreach(room geometry table layout_parts algorithms)
     install(DIRECTORY src/edgewise/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+install(FILES src/edgewise/record.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise)
 install(DIRECTORY layouts DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise FILES_MATCHING PATTERN "*.hpp" PATTERN campaign EXCLUDE)
 
 if(TARGET edgewise_measure)

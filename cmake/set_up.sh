@@ -15,6 +15,8 @@ wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev va
 parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache'
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
+# Engines whose motion is recorded, for `edgewise record`: if EDGEWISE_ENGINES=ON is in the environment, and for tests.
+wanted_by_recorders='libmujoco-dev libmujoco-samples libbullet-dev'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
 say() { printf 'set-up: %s\n' "$*" >&2; }
@@ -93,6 +95,10 @@ if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; 
     if [ "${EDGEWISE_PEERS:-}" = ON ]; then
         # shellcheck disable=SC2086  # a list of words
         install_missing $wanted_by_peers || say "going on; what needs those will be left out"
+    fi
+    if [ "${EDGEWISE_ENGINES:-}" = ON ] || [ "$1" = tests ]; then
+        # shellcheck disable=SC2086  # a list of words
+        install_missing $wanted_by_recorders || say "going on; models of the missing engines cannot be recorded"
     fi
     if [ "$1" = sweep ]; then
         # shellcheck disable=SC2046  # a list of words

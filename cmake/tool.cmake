@@ -70,7 +70,7 @@ add_library(edgewise_core STATIC ${steering}
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
-    PRIVATE SQLite::SQLite3 ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
+    PRIVATE SQLite::SQLite3 ZLIB::ZLIB ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()

@@ -177,41 +177,51 @@ std::string varied_by(const SceneLabelJson& file) {
 
 }  // namespace
 
-std::span<const SceneStandard> scene_standards() {
-    static constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
-                                                  {"static", "bodies", 64},
-                                                  {"static", "margin", 0},
-                                                  {"cold", "distance", 1},
-                                                  {"cold", "overlapping", 0.1},
-                                                  {"cold", "deepest", 0.5},
-                                                  {"gap", "gap", -0.1, true},
-                                                  {"gap", "span", 1.1},
-                                                  {"tumble", "rotation_step", 0.01, true},
-                                                  {"tumble", "translation_step", 0.001},
-                                                  {"tumble", "bodies", 12},
-                                                  {"tumble", "occupancy", 0.1},
-                                                  {"tumble", "margin", 0.2},
-                                                  {"tumble", "steps", 100},
-                                                  {"tumble", "in_time_order", 0},
-                                                  {"tumble", "step_in_dimensions", 0},
-                                                  {"tumble", "random_orientation", 0},
-                                                  {"tumble", "random_velocities", 0},
-                                                  {"tumble", "own_tables", 0},
-                                                  {"tumble", "box_of_bodies", 0},
-                                                  {"tumble", "precession", 0},
-                                                  {"tumble", "least_steps", 0},
-                                                  {"tumble", "population", 0},
-                                                  {"proximity", "pairs", 30},
-                                                  {"proximity", "gap", 0.001},
-                                                  {"proximity", "rotation_step", 0.25 / 60},
-                                                  {"pressure", "bodies", 600, true},
-                                                  {"pressure", "rotation_step", 0.1},
-                                                  {"pressure", "gap", 0.1},
-                                                  {"pressure", "new_order", 0},
-                                                  {"pressure", "least_steps", 0},
-                                                  {"pressure", "own_tables", 1}};
-    return standards;
-}
+namespace {
+
+constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
+                                       {"static", "bodies", 64},
+                                       {"static", "margin", 0},
+                                       {"cold", "distance", 1},
+                                       {"cold", "overlapping", 0.1},
+                                       {"cold", "deepest", 0.5},
+                                       {"gap", "gap", -0.1, true},
+                                       {"gap", "span", 1.1},
+                                       {"tumble", "rotation_step", 0.01, true},
+                                       {"tumble", "translation_step", 0.001},
+                                       {"tumble", "bodies", 12},
+                                       {"tumble", "occupancy", 0.1},
+                                       {"tumble", "margin", 0.2},
+                                       {"tumble", "steps", 100},
+                                       {"tumble", "in_time_order", 0},
+                                       {"tumble", "step_in_dimensions", 0},
+                                       {"tumble", "random_orientation", 0},
+                                       {"tumble", "random_velocities", 0},
+                                       {"tumble", "own_tables", 0},
+                                       {"tumble", "box_of_bodies", 0},
+                                       {"tumble", "precession", 0},
+                                       {"tumble", "least_steps", 0},
+                                       {"tumble", "population", 0},
+                                       {"proximity", "pairs", 30},
+                                       {"proximity", "gap", 0.001},
+                                       {"proximity", "rotation_step", 0.25 / 60},
+                                       {"pressure", "bodies", 600, true},
+                                       {"pressure", "rotation_step", 0.1},
+                                       {"pressure", "gap", 0.1},
+                                       {"pressure", "new_order", 0},
+                                       {"pressure", "least_steps", 0},
+                                       {"pressure", "own_tables", 1},
+                                       {"recorded", "rate", 60},
+                                       {"recorded", "seconds", 0},
+                                       {"recorded", "margin", 0.02},
+                                       {"recorded", "own_pairs", 0},
+                                       {"recorded", "segment", 10},
+                                       {"recorded", "own_tables", 0},
+                                       {"recorded", "recording", 0}};
+
+}  // namespace
+
+std::span<const SceneStandard> scene_standards() { return standards; }
 
 std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
     const SceneLabelJson parameters = input::json_or_null(cell.scene_parameters);
@@ -259,6 +269,7 @@ std::string motion_of(const ReportCell& cell) {
     if (kind == "proximity") return fmt::format("pairs that stay close and {}", turn_of(cell));
     if (kind == "pressure")
         return fmt::format("{} in a row {}, neighbours asked in turn", bodies, turn_of(cell));
+    if (kind == "recorded") return "motion of an engine, replayed step after step";
     return kind;
 }
 
@@ -282,7 +293,9 @@ bool is_near_contact(const ReportCell& cell) {
 
 std::string scene_sentence(const ReportCell& cell) {
     return fmt::format("{}; {}", motion_of(cell),
-                       has_own_tables(cell) ? "a table for each body" : "one shared table");
+                       has_own_tables(cell)             ? "a table for each body"
+                       : scene_kind(cell) == "recorded" ? "a table for each shape"
+                                                        : "one shared table");
 }
 
 namespace {

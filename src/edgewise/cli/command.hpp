@@ -127,6 +127,7 @@ void add_paging(CLI::App& app, Context& context);
 void add_fields(CLI::App& app, Context& context);
 void add_bench(CLI::App& app, Context& context);
 void add_pass(CLI::App& app, Context& context);
+void add_record(CLI::App& app, Context& context);
 void add_list(CLI::App& app, Context& context);
 
 // Commands nested in others: in advise, paging, report, draw and bench.

@@ -12,6 +12,7 @@
 #include "edgewise/cli/options.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/lock/lock_program.hpp"
+#include "edgewise/scene/scene_file.hpp"
 
 namespace edgewise::cli {
 
@@ -28,8 +29,10 @@ struct LockArguments {
 /// A lock has this condition only if its mesh was read with --as-stored.
 constexpr const char* stored_condition = "as_stored";
 
-/// The body; all meshes of a file are one hull in its own size.
+/// The body; all meshes of a file are one hull in its own size. A recording has bodies of its own.
 scene::NamedShape shape_of(const LockArguments& options) {
+    if (scene::names_recording(options.cell.scene))
+        return scene::read_scene_file(options.cell.scene).or_throw().shapes.front();
     const std::string& name = options.cell.shape;
     scene::MeshBody body = chosen_body({name, options.cell.as_stored});
     return {name, scene::names_mesh_file(name) ? name : "built-in", std::move(body.body), {}};
@@ -64,10 +67,11 @@ measure::Conditions conditions(const LockArguments& options, const Polyhedron& s
     return of;
 }
 
-measure::FigureRecord lock_of(const LockArguments& options) {
+measure::FigureRecord lock_of(LockArguments options) {
     const std::vector<measure::CacheMachine> machines = measure::described_machines(options.machines);
     studies::CellChoice choice = options.cell;
     choice.body = shape_of(options);
+    if (scene::names_recording(choice.scene)) options.cell.shape = choice.body->source;
     const studies::SingleCell cell(choice);
     const auto pass = [&](measure::TraceListener& listener) {
         static_cast<void>(cell.runner().trace(bench::TraceExtent::everything(), listener));

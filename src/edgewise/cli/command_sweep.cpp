@@ -284,7 +284,7 @@ void add_sweep(CLI::App& app, Context& context) {
     auto [command, options] = add_command(
         app, context, "sweep", "Verifies and measures every cell of a plan, then reports", run_sweep);
     options.command = command;
-    command->add_option("--plan", options.plan, "quick, paper, full, peers, or a JSON file")
+    command->add_option("--plan", options.plan, "quick, paper, full, peers, recorded, or a JSON file")
         ->capture_default_str();
     add_store_option(*command, options.store, "filled or resumed")->default_str(default_store);
     command->add_option("--out", options.out, "folder to write: the report; the store's folder if not given");

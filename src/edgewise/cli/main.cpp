@@ -31,7 +31,7 @@ using namespace edgewise::cli;
 constexpr void (*commands[])(CLI::App&, Context&) = {
     add_sweep,   add_advise, add_stability, add_merge, add_campaign, add_report,  add_export,
     add_compare, add_bytes,  add_draw,      add_query, add_judge,    add_machine, add_caches,
-    add_lock,    add_paging, add_fields,    add_bench, add_pass,     add_list};
+    add_lock,    add_paging, add_fields,    add_bench, add_pass,     add_record,  add_list};
 
 /// Fills the places of standard streams that the caller closed. The next file that is opened would take such
 /// a place, and printed text would be written into it.

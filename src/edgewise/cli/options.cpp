@@ -213,7 +213,7 @@ void add_margin_option(CLI::App& command, std::optional<double>& margin) {
 }
 
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
-    return command.add_option("--scene", scene, "scene: a kind (edgewise list scenes)")
+    return command.add_option("--scene", scene, "scene: a kind (edgewise list scenes), or a recording")
         ->capture_default_str();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a Fault and
+// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a JsonFault and
 // caught once per line, so that checks read as plain statements.
 #include "edgewise/scene/case_file.hpp"
 
@@ -15,23 +15,11 @@
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/scene/json_fields.hpp"
 #include "edgewise/scene/nearest_rotation.hpp"
 
 namespace edgewise::scene {
 namespace {
-
-using Json = nlohmann::json;
-
-struct Fault {
-    std::string what;
-};
-
-/// The member, or null when it is absent.
-const Json& member(const Json& object, const char* key) {
-    static const Json absent;
-    const auto found = object.find(key);
-    return found == object.end() ? absent : *found;
-}
 
 /// The members that a case is made of come first. The others are carried along and not read: sources, notes,
 /// and what an answer should be (`expect`).
@@ -59,7 +47,7 @@ std::vector<std::string> line_members() {
 void refuse_unknown(const Json& object, const std::string& what, const std::vector<std::string>& known) {
     if (!object.is_object()) return;
     if (const std::string unknown = input::unknown_member(object, what, known); !unknown.empty())
-        throw Fault{unknown};
+        throw JsonFault{unknown};
 }
 
 void refuse_unknown_members(const Json& line) {
@@ -84,74 +72,10 @@ void check_members(const Json& line) {
         }
     }
     if (missing.empty()) return;
-    if (missing.size() == 1) throw Fault{missing.front() + " is missing"};
-    throw Fault{fmt::format("{} are missing; a case is {}", fmt::join(missing, ", "),
-                            R"({"id": "1", "a": {"vertices": [[0,0,0], ...]}, "b": {"vertices": [...]}})")};
-}
-
-/// The member, which must be there.
-const Json& required(const Json& parent, const char* key, const std::string& field) {
-    const Json& value = member(parent, key);
-    if (value.is_null()) throw Fault{fmt::format("{} is missing", field)};
-    return value;
-}
-
-const Json& object_at(const Json& parent, const char* key, const std::string& field) {
-    const Json& value = required(parent, key, field);
-    if (!value.is_object()) throw Fault{fmt::format("{} is not an object", field)};
-    return value;
-}
-
-const Json& array_at(const Json& parent, const char* key, const std::string& field) {
-    const Json& value = required(parent, key, field);
-    if (!value.is_array()) throw Fault{fmt::format("{} is not an array", field)};
-    return value;
-}
-
-template <std::size_t Count>
-std::array<double, Count> numbers(const Json& list, const std::string& field) {
-    if (!list.is_array()) throw Fault{fmt::format("{} is not an array of {} numbers", field, Count)};
-    if (list.size() != Count) {
-        throw Fault{fmt::format("{} has {} numbers and needs {}", field, list.size(), Count)};
-    }
-    std::array<double, Count> values{};
-    for (std::size_t i = 0; i < Count; ++i) {
-        if (!list[i].is_number()) throw Fault{fmt::format("{}[{}] is not a finite number", field, i)};
-        values[i] = list[i].get<double>();
-    }
-    return values;
-}
-
-Vec3d point(const Json& list, const std::string& field) { return Vec3d(numbers<3>(list, field).data()); }
-
-Index vertex_number(const Json& value, std::size_t vertex_count, const std::string& field) {
-    if (!value.is_number_unsigned())
-        throw Fault{fmt::format("{} is not a vertex number (0, 1, 2 ...)", field)};
-    const auto index = value.get<std::uint64_t>();
-    if (index >= vertex_count) {
-        throw Fault{
-            fmt::format("{} is {}, but there are {} vertices, counted from 0", field, index, vertex_count)};
-    }
-    return static_cast<Index>(index);
-}
-
-std::vector<std::vector<Index>> faces_of(const Json& list, std::size_t vertex_count,
-                                         const std::string& field) {
-    if (!list.is_array()) throw Fault{fmt::format("{} is not an array", field)};
-    if (list.empty())
-        throw Fault{fmt::format("{} is empty; leave it out for the hull of the vertices", field)};
-    std::vector<std::vector<Index>> faces;
-    for (const Json& ring : list) {
-        const std::string name = fmt::format("{}[{}]", field, faces.size());
-        if (!ring.is_array() || ring.size() < 3)
-            throw Fault{name + " is not an array of three or more vertices"};
-        std::vector<Index> face;
-        for (const Json& vertex : ring) {
-            face.push_back(vertex_number(vertex, vertex_count, fmt::format("{}[{}]", name, face.size())));
-        }
-        faces.push_back(std::move(face));
-    }
-    return faces;
+    if (missing.size() == 1) throw JsonFault{missing.front() + " is missing"};
+    throw JsonFault{
+        fmt::format("{} are missing; a case is {}", fmt::join(missing, ", "),
+                    R"({"id": "1", "a": {"vertices": [[0,0,0], ...]}, "b": {"vertices": [...]}})")};
 }
 
 CaseBody body_of(const Json& line, const char* key, const std::string& where) {
@@ -160,7 +84,7 @@ CaseBody body_of(const Json& line, const char* key, const std::string& where) {
     CaseBody body{fmt::format("{}: {}", where, name), {}, std::nullopt};
     const std::string field = name + ".vertices";
     const Json& vertices = array_at(object, "vertices", field);
-    if (vertices.empty()) throw Fault{field + " is empty"};
+    if (vertices.empty()) throw JsonFault{field + " is empty"};
     for (const Json& vertex : vertices) {
         body.vertices.push_back(point(vertex, fmt::format("{}[{}]", field, body.vertices.size())));
     }
@@ -171,10 +95,10 @@ CaseBody body_of(const Json& line, const char* key, const std::string& where) {
 
 /// Nine numbers, or three rows of three.
 Mat3d matrix_of(const Json& list, const std::string& field) {
-    if (!list.is_array()) throw Fault{fmt::format("{} is not an array", field)};
+    if (!list.is_array()) throw JsonFault{fmt::format("{} is not an array", field)};
     const bool in_rows = std::ranges::any_of(list, [](const Json& row) { return row.is_array(); });
     if (!in_rows) return Eigen::Map<const Mat3d>(numbers<9>(list, field).data());
-    if (list.size() != 3) throw Fault{fmt::format("{} has {} rows and needs 3", field, list.size())};
+    if (list.size() != 3) throw JsonFault{fmt::format("{} has {} rows and needs 3", field, list.size())};
     Mat3d matrix;
     for (int i = 0; i < 3; ++i)
         matrix.row(i) = point(list[static_cast<std::size_t>(i)], fmt::format("{}[{}]", field, i));
@@ -187,12 +111,13 @@ Pose pose_of(const Json& line, const char* key, std::string& note) {
     if (member(line, key).is_null()) return {};
     const Json& object = object_at(line, key, name);
     const Json &r = member(object, "R"), &t = member(object, "t");
-    if (r.is_null() && t.is_null()) throw Fault{name + " has neither R nor t; leave it out for the identity"};
+    if (r.is_null() && t.is_null())
+        throw JsonFault{name + " has neither R nor t; leave it out for the identity"};
     Pose pose;
     if (!t.is_null()) pose.translation = point(t, name + ".t");
     if (r.is_null()) return pose;
     const auto rotation = nearest_rotation(matrix_of(r, name + ".R"));
-    if (!rotation) throw Fault{fmt::format("{}.R {}", name, rotation.error)};
+    if (!rotation) throw JsonFault{fmt::format("{}.R {}", name, rotation.error)};
     pose.rotation = *rotation;
     if (note.empty() && !rotation.warning.empty()) note = fmt::format("{}.R {}", name, rotation.warning);
     return pose;
@@ -202,7 +127,7 @@ std::string id_of(const Json& line) {
     const Json& value = member(line, "id");
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_integer()) return value.dump();
-    throw Fault{"id is neither a string nor a whole number"};
+    throw JsonFault{"id is neither a string nor a whole number"};
 }
 
 /// Names text that begins as JSON but is no case line: a part of a longer text, or a list of cases.
@@ -214,14 +139,14 @@ std::string other_json(std::string_view text) {
 
 Json parse_line(std::string_view line) {
     auto parsed = input::parse_json(line);
-    if (!parsed) throw Fault{parsed.error + other_json(line)};
+    if (!parsed) throw JsonFault{parsed.error + other_json(line)};
     const bool list_of_cases = parsed->is_array() && !parsed->empty() && parsed->front().is_object();
     if (list_of_cases)
-        throw Fault{
+        throw JsonFault{
             fmt::format("the line is a list of {} cases: write each on a line of its own, without "
                         "the brackets and commas of the list",
                         parsed->size())};
-    if (!parsed->is_object()) throw Fault{"the line is not a JSON object"};
+    if (!parsed->is_object()) throw JsonFault{"the line is not a JSON object"};
     return *std::move(parsed.value);
 }
 
@@ -239,7 +164,7 @@ Result<Case> parse_case(std::string_view line, const std::string& where, std::st
         read.pose_a = pose_of(object, "pose_a", note);
         read.pose_b = pose_of(object, "pose_b", note);
         return Result<Case>::success(std::move(read), note);
-    } catch (const Fault& fault) {
+    } catch (const JsonFault& fault) {
         return Result<Case>::failure(fmt::format("{}: {}", where, fault.what));
     }
 }

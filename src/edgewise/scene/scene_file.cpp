@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a Fault and
-// caught once, so that checks read as plain statements.
+// Parses JSON with nlohmann-json and checks its content. Inside, the first fault is thrown as a JsonFault
+// and caught once, so that checks read as plain statements.
 #include "edgewise/scene/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
+#include "edgewise/scene/json_fields.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -23,14 +24,9 @@
 namespace edgewise::scene {
 namespace {
 
-using Json = nlohmann::json;
-
-struct Fault {
-    std::string what;
-};
-
-const std::vector<std::string> members = {"scene",   "shapes",     "time_step", "needs",   "margin",
-                                          "sharing", "parameters", "vary",      "queries", "note"};
+const std::vector<std::string> members = {"scene", "shapes",  "recording", "time_step",
+                                          "needs", "margin",  "sharing",   "parameters",
+                                          "vary",  "queries", "note"};
 
 constexpr double usual_time_step = 1.0 / 60;  ///< s: a step per frame of a screen
 constexpr double longest_time_step = 1000;    ///< s
@@ -65,18 +61,24 @@ Value member(const Json& json, const char* key, const Value& standard, const cha
     try {
         return json.at(key).get<Value>();
     } catch (const Json::exception&) {
-        throw Fault{fmt::format("{} must be {}", key, wanted)};
+        throw JsonFault{fmt::format("{} must be {}", key, wanted)};
     }
 }
 
 void check_members(const Json& json) {
     if (!json.is_object())
-        throw Fault{"the file must be one object: {\"scene\": ..., \"shapes\": [...], ...}"};
+        throw JsonFault{"the file must be one object: {\"scene\": ..., \"shapes\": [...], ...}"};
     if (const std::string unknown = input::unknown_member(json, "a scene file", members); !unknown.empty())
-        throw Fault{unknown};
-    for (const char* key : {"scene", "shapes"}) {
-        if (!json.contains(key)) throw Fault{fmt::format("{} is missing", key)};
+        throw JsonFault{unknown};
+    const bool recorded = json.contains("recording");
+    for (const char* key : {"scene", recorded ? "recording" : "shapes"}) {
+        if (!json.contains(key)) throw JsonFault{fmt::format("{} is missing", key)};
     }
+    if (recorded != (json.at("scene") == recorded_kind))
+        throw JsonFault{R"("scene": "recorded" and a "recording" belong together: write both or neither)"};
+    for (const char* key : {"shapes", "time_step"})
+        if (recorded && json.contains(key))
+            throw JsonFault{fmt::format("{} is in the recording: leave it out here", key)};
 }
 
 /// The parameters of a point as its kind knows them, each given once: two members of a file that come to the
@@ -93,16 +95,16 @@ class GivenParameters {
             return;
         }
         if (!value.is_number())
-            throw Fault{fmt::format("{} = {} must be a number{}", name, value.dump(),
-                                    is_turn(name) ? " or \"random\"" : "")};
+            throw JsonFault{fmt::format("{} = {} must be a number{}", name, value.dump(),
+                                        is_turn(name) ? " or \"random\"" : "")};
         const auto [parameter, number] = in_steps(name, value.get<double>(), units_);
         take(where, parameter, number);
     }
     void take(const std::string& where, const std::string& parameter, double number) {
         const auto [first, is_new] = places_.try_emplace(parameter, where);
         if (!is_new)
-            throw Fault{fmt::format("{} and {} both say what {} is: leave one of them out", first->second,
-                                    where, parameter)};
+            throw JsonFault{fmt::format("{} and {} both say what {} is: leave one of them out", first->second,
+                                        where, parameter)};
         values_[parameter] = number;
     }
     [[nodiscard]] const SceneParameters& values() const { return values_; }
@@ -116,7 +118,8 @@ class GivenParameters {
 const Json& object_at(const Json& json, const char* key) {
     static const Json empty = Json::object();
     if (!json.contains(key)) return empty;
-    if (!json.at(key).is_object()) throw Fault{fmt::format("{} must be an object of numbers by name", key)};
+    if (!json.at(key).is_object())
+        throw JsonFault{fmt::format("{} must be an object of numbers by name", key)};
     return json.at(key);
 }
 
@@ -124,16 +127,17 @@ const Json& object_at(const Json& json, const char* key) {
 std::vector<std::pair<std::string, Json>> varied(const Json& json) {
     std::vector<std::pair<std::string, Json>> values;
     const Json& vary = object_at(json, "vary");
-    if (vary.size() > 1) throw Fault{"vary takes one parameter; write one file for each parameter"};
+    if (vary.size() > 1) throw JsonFault{"vary takes one parameter; write one file for each parameter"};
     for (const auto& [name, list] : vary.items()) {
         if (!list.is_array() || list.empty())
-            throw Fault{fmt::format("vary.{} must be a list of values", name)};
+            throw JsonFault{fmt::format("vary.{} must be a list of values", name)};
         if (list.size() > most_varied)
-            throw Fault{fmt::format("vary.{} has {} values, more than the {} of one file", name, list.size(),
-                                    most_varied)};
+            throw JsonFault{fmt::format("vary.{} has {} values, more than the {} of one file", name,
+                                        list.size(), most_varied)};
         for (const Json& value : list) {
             if (std::ranges::find(values, value, &std::pair<std::string, Json>::second) != values.end())
-                throw Fault{fmt::format("vary.{} has {} twice: leave one of them out", name, value.dump())};
+                throw JsonFault{
+                    fmt::format("vary.{} has {} twice: leave one of them out", name, value.dump())};
             values.emplace_back(name, value);
         }
     }
@@ -145,11 +149,12 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
     GivenParameters given({file.time_step, extent(shape.body.vertices)});
     if (member<std::string>(json, "sharing", "shared", "shared or per_instance") == "per_instance")
         given.take("sharing", "own_tables", 1);
+    if (file.recording) given.take("recording", "recording", file.recording->checksum);
     for (const auto& [name, value] : object_at(json, "parameters").items())
         given.set("parameters." + name, name, value);
     if (varied_value) given.set("vary." + varied_value->first, varied_value->first, varied_value->second);
     const auto complete = complete_parameters(file.kind, given.values());
-    if (!complete) throw Fault{complete.error};
+    if (!complete) throw JsonFault{complete.error};
     return {shape.name, *complete};
 }
 
@@ -157,7 +162,7 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
 NamedShape shape_called(const std::string& name, const SceneFileContext& context, std::string& warning) {
     auto shape = named_shape(names_mesh_file(name) ? (context.folder / name).string() : name,
                              {.as_stored = context.as_stored});
-    if (!shape) throw Fault{"shapes: " + shape.error};
+    if (!shape) throw JsonFault{"shapes: " + shape.error};
     if (!shape.warning.empty()) warning += (warning.empty() ? "" : "; ") + shape.warning;
     return *std::move(shape);
 }
@@ -167,16 +172,33 @@ std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& cont
     for (const auto& name :
          member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
         shapes.push_back(shape_called(name, context, warning));
-    if (shapes.empty()) throw Fault{"shapes needs at least one name"};
-    if (const std::string twice = shape_given_twice(shapes); !twice.empty()) throw Fault{"shapes: " + twice};
+    if (shapes.empty()) throw JsonFault{"shapes needs at least one name"};
+    if (const std::string twice = shape_given_twice(shapes); !twice.empty())
+        throw JsonFault{"shapes: " + twice};
     return shapes;
+}
+
+/// Reads the recording; the scene's shape is its first core.
+void take_recording(const Json& json, const SceneFileContext& context, SceneFile& file) {
+    if (!context.bodies.empty()) throw JsonFault{"a recording has its own bodies: name none with --shape"};
+    auto read =
+        read_recording((context.folder / member<std::string>(json, "recording", "", "a file")).string());
+    if (!read) throw JsonFault{"recording: " + read.error};
+    file.recording = std::make_shared<const Recording>(*std::move(read.value));
+    const Recording& recording = *file.recording;
+    file.shapes = {{recording.name,
+                    fmt::format("{} bodies with {} cores, recorded ({:08x})", recording.bodies.size(),
+                                recording.cores.size(), recording.checksum),
+                    recording.cores.front(),
+                    {}}};
 }
 
 void add_points(const Json& json, SceneFile& file) {
     const auto values = varied(json);
     if (const std::size_t points = values.size() * file.shapes.size(); points > most_points)
-        throw Fault{fmt::format("{} shapes with {} values each are {} scenes, more than the {} of one file",
-                                file.shapes.size(), values.size(), points, most_points)};
+        throw JsonFault{
+            fmt::format("{} shapes with {} values each are {} scenes, more than the {} of one file",
+                        file.shapes.size(), values.size(), points, most_points)};
     for (const NamedShape& shape : file.shapes) {
         if (values.empty()) file.points.push_back(make_point(json, file, shape, nullptr));
         for (const auto& value : values) file.points.push_back(make_point(json, file, shape, &value));
@@ -186,31 +208,32 @@ void add_points(const Json& json, SceneFile& file) {
 Needs needs_of(const Json& json) {
     const auto name = member<std::string>(json, "needs", "witnesses", "one of the needs' names");
     const auto needs = needs_from(name);
-    if (!needs) throw Fault{unknown_name("needs", name, {needs_names.begin(), needs_names.end()})};
+    if (!needs) throw JsonFault{unknown_name("needs", name, {needs_names.begin(), needs_names.end()})};
     return *needs;
 }
 
 /// Margin for needs = nearer; 0 if none is given.
 double margin_of(const Json& json, Needs needs) {
     if (!json.contains("margin")) return 0;
-    if (needs != Needs::nearer) throw Fault{"margin is only for needs = nearer: leave it out, or write both"};
+    if (needs != Needs::nearer)
+        throw JsonFault{"margin is only for needs = nearer: leave it out, or write both"};
     const auto margin = member<double>(json, "margin", 0, "a number");
     if (!(margin > 0 && margin <= largest_margin))
-        throw Fault{fmt::format("margin = {} is out of bounds; choose above 0, to {:.0f} extents", margin,
-                                largest_margin)};
+        throw JsonFault{fmt::format("margin = {} is out of bounds; choose above 0, to {:.0f} extents", margin,
+                                    largest_margin)};
     return margin;
 }
 
 void check_sharing(const Json& json) {
     const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
     if (sharing != "shared" && sharing != "per_instance")
-        throw Fault{unknown_name("sharing", sharing, {"shared", "per_instance"})};
+        throw JsonFault{unknown_name("sharing", sharing, {"shared", "per_instance"})};
 }
 
 std::size_t queries_of(const Json& json) {
     if (!json.contains("queries")) return 0;
     const auto queries = input::count_from(json.at("queries"), input::queries_or_none);
-    if (!queries) throw Fault{"queries = " + queries.error};
+    if (!queries) throw JsonFault{"queries = " + queries.error};
     return *queries;
 }
 
@@ -221,11 +244,14 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
     file.name = name;
     file.text = json.dump();
     file.kind = member<std::string>(json, "scene", "", "the name of a scene");
-    file.shapes = context.bodies.empty() ? shapes_of(json, context, warning) : context.bodies;
+    if (json.contains("recording"))
+        take_recording(json, context, file);
+    else
+        file.shapes = context.bodies.empty() ? shapes_of(json, context, warning) : context.bodies;
     file.time_step = member(json, "time_step", usual_time_step, "a number of seconds");
     if (!(file.time_step > 0 && file.time_step <= longest_time_step))
-        throw Fault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s", file.time_step,
-                                longest_time_step)};
+        throw JsonFault{fmt::format("time_step = {} is out of bounds; choose above 0, to {} s",
+                                    file.time_step, longest_time_step)};
     file.needs = needs_of(json);
     file.margin = margin_of(json, file.needs);
     check_sharing(json);
@@ -260,22 +286,32 @@ Result<SceneFile> parse_scene_file(const std::string& name, const std::string& t
         std::string warning;
         SceneFile file = read(name, *json, context, warning);
         return Failure::success(std::move(file), warning);
-    } catch (const Fault& fault) {
+    } catch (const JsonFault& fault) {
         return Failure::failure(fmt::format("scene file {}: {}", name, without_controls(fault.what)));
     }
 }
 
 Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext context) {
-    const auto text = input::read_file_text(path);
-    if (!text) return Result<SceneFile>::failure("scene file " + text.error);
     const std::filesystem::path file = path;
     context.folder = file.parent_path();
-    return parse_scene_file(file.stem().string(), *text, context);
+    if (names_recording(path)) {
+        const Json json = {{"scene", recorded_kind}, {"recording", file.filename().string()}};
+        return parse_scene_file(scene_name_at(file), json.dump(), context);
+    }
+    const auto text = input::read_file_text(path);
+    if (!text) return Result<SceneFile>::failure("scene file " + text.error);
+    return parse_scene_file(scene_name_at(file), *text, context);
+}
+
+std::string scene_name_at(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    return names_recording(name) ? name.substr(0, name.find(".jsonl")) : file.stem().string();
 }
 
 bool is_scene_file(const std::string& name_or_path) {
-    return name_or_path.ends_with(".json") || std::ranges::find(scene_texts(), std::string_view(name_or_path),
-                                                                &SceneText::name) != scene_texts().end();
+    return name_or_path.ends_with(".json") || names_recording(name_or_path) ||
+           std::ranges::find(scene_texts(), std::string_view(name_or_path), &SceneText::name) !=
+               scene_texts().end();
 }
 
 std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
@@ -283,7 +319,7 @@ std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path
     for (const SceneText& text : scene_texts()) {
         if (text.name == name_or_path) return parse_scene_file(name_or_path, std::string(text.json), context);
     }
-    if (name_or_path.ends_with(".json")) return read_scene_file(name_or_path, context);
+    if (is_scene_file(name_or_path)) return read_scene_file(name_or_path, context);
     return std::nullopt;
 }
 

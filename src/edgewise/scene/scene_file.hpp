@@ -14,10 +14,13 @@
 // at random in every step, which leaves no coherence. "needs": "nearer" allows a "margin", relative to the
 // larger body's extent. A shape with a dot in its name is a mesh file, searched from the scene file's folder
 // ("shapes": ["my_link.stl"]); its body is called after it (my_link).
+//
+// Motion of an engine: {"scene": "recorded", "recording": "heap.jsonl.gz"}. A recording is a scene file, too.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +28,7 @@
 #include <vector>
 
 #include "edgewise/geometry/result.hpp"
+#include "edgewise/scene/recording.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/needs.hpp"
@@ -46,8 +50,9 @@ struct SceneFile {
     double margin = 0;        ///< of Needs::nearer, over the larger body's extent; 0: the usual one
     std::size_t queries = 0;  ///< of every point; 0: as the plan says
     std::string note;
-    std::vector<ScenePoint> points;  ///< shapes x varied values
-    std::string text;                ///< the file as JSON in one line, for the store
+    std::vector<ScenePoint> points;                   ///< shapes x varied values
+    std::string text;                                 ///< the file as JSON in one line, for the store
+    std::shared_ptr<const Recording> recording = {};  ///< of the kind `recorded`; its shape is the first core
 };
 
 /// Settings of a scene file that its text does not contain.
@@ -76,10 +81,14 @@ struct SceneText {
 /// kinds of scenes.
 [[nodiscard]] std::span<const SceneText> scene_texts();
 
-/// Returns true if the name is that of a supplied scene file, or a path that ends in .json.
+/// Returns true if the name is that of a supplied scene file, or a path that ends in .json or like a
+/// recording.
 [[nodiscard]] bool is_scene_file(const std::string& name_or_path);
 
-/// The scene file of that name, or at that path if it ends in .json; nothing for any other name.
+/// Name of the scene in the file at a path: the file's, without its endings.
+[[nodiscard]] std::string scene_name_at(const std::filesystem::path& file);
+
+/// The scene file of that name, or at that path if it ends like a scene file; nothing for any other name.
 [[nodiscard]] std::optional<Result<SceneFile>> find_scene_file(const std::string& name_or_path,
                                                                const SceneFileContext& context = {});
 

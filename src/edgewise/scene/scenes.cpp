@@ -18,8 +18,9 @@ namespace edgewise::scene {
 namespace {
 
 const std::vector<SceneKind>& scenes() {
-    static const std::vector<SceneKind> all = {static_scene(), cold_scene(),      gap_scene(),
-                                               tumble_scene(), proximity_scene(), pressure_scene()};
+    static const std::vector<SceneKind> all = {static_scene(),  cold_scene(),      gap_scene(),
+                                               tumble_scene(),  proximity_scene(), pressure_scene(),
+                                               recorded_scene()};
     return all;
 }
 

@@ -56,8 +56,10 @@ std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
     plan.queries = choice.queries;
     plan.seed = choice.seed;
     plan.checked = choice.checked;
-    return std::make_unique<sweep::SharedQueries>(plan, sweep::SceneChoice{choice.scene, choice.parameters},
-                                                  shape_of(choice));
+    auto shared = std::make_unique<sweep::SharedQueries>(
+        plan, sweep::SceneChoice{choice.scene, choice.parameters}, shape_of(choice));
+    if (choice.warn && !shared->note().empty()) choice.warn(shared->note());
+    return shared;
 }
 
 }  // namespace

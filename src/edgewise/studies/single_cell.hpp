@@ -16,6 +16,7 @@
 
 namespace edgewise::studies {
 
+/// A scene is a kind, or the path of a recording, which has its own bodies.
 struct CellChoice {
     std::string table = "aos_f64", algorithm = "vclip", scene = "tumble", shape = "sphere386";
     scene::SceneParameters parameters = {};  ///< those that differ from the scene's defaults

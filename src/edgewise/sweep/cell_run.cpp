@@ -103,7 +103,8 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
 
 std::string CellRun::heat_on_body() const {
     const bench::Runner& runner = cell_.runner();
-    const bool traced = !caches_.machines.empty() && runner.table_allocator().base();
+    const bool of_one_body = row_.scene_kind != scene::recorded_kind;
+    const bool traced = !caches_.machines.empty() && runner.table_allocator().base() && of_one_body;
     if (!verified() || !shared_ || !row_.axes.empty() || !traced || !shows_heat(cell_.type(), row_.vertices))
         return {};
     bench::FeatureHeat heat(runner.memory_maps());

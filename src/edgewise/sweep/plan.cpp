@@ -110,21 +110,11 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
     return plan;
 }
 
-/// Returns the mesh files of real objects. The set-up unpacks them next to the build folders: build/meshes
-/// for build/release/edgewise.
-std::vector<std::string> default_meshes() {
-    const auto program = std::filesystem::read_symlink("/proc/self/exe");
-    const auto folder = program.parent_path().parent_path() / "meshes";
-    std::vector<std::string> result;
-    for (const char* name : real_objects) result.push_back((folder / name).string());
-    return result;
-}
-
 /// Returns the members that depend on this program, so that no plan file can have them: its layouts except
 /// those that hardly differ from another, and the mesh files that were unpacked next to it.
 Plan plan_of_this_program() {
     Plan plan;
-    plan.meshes = default_meshes();
+    for (const char* name : real_objects) plan.meshes.push_back(file_beside_builds("meshes", name));
     for (const bench::TableType& type : bench::table_types()) {
         if (type.variant_of.empty() && (plan.layouts.empty() || plan.layouts.back() != type.layout))
             plan.layouts.push_back(type.layout);
@@ -170,6 +160,11 @@ void leave_out_missing_layouts(Plan& plan) {
 }
 
 }  // namespace
+
+std::string file_beside_builds(const char* folder, const std::string& name) {
+    const auto program = std::filesystem::read_symlink("/proc/self/exe");
+    return (program.parent_path().parent_path() / folder / name).string();
+}
 
 std::vector<std::string> plan_names() {
     std::vector<std::string> names;

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "edgewise/scene/recording.hpp"
 #include "edgewise/scene/workload.hpp"
 
 namespace edgewise::sweep {
@@ -29,6 +31,7 @@ struct SceneChoice {
     bool plain = false;       ///< no further axes: all cells of a group are in memory, and these are large
     std::vector<std::string> axes = {};    ///< instead of the plan's
     std::vector<std::string> caches = {};  ///< shapes with modelled caches; "all": every shape
+    std::shared_ptr<const scene::Recording> recording = {};  ///< of a scene file; not a member of plans
 };
 
 struct Plan {
@@ -68,6 +71,9 @@ struct PlanText {
     std::string_view name, json;
 };
 [[nodiscard]] std::span<const PlanText> plan_texts();
+
+/// Returns the path of a file next to the build folders: build/meshes/NAME for build/release/edgewise.
+[[nodiscard]] std::string file_beside_builds(const char* folder, const std::string& name);
 
 /// Names of the plans that come with Edgewise.
 [[nodiscard]] std::vector<std::string> plan_names();

@@ -44,10 +44,16 @@ std::string print_of(std::span<const Polyhedron> bodies) {
 
 SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape)
     : asks_control_(plan.control) {
-    const auto parameters = scene::complete_parameters(scene.name, scene.parameters).or_throw();
-    workload_ =
-        scene::make_scene(scene.name, shape.body, parameters, plan.seed, plan.queries, placing_distance)
-            .or_throw();
+    auto recording = scene.recording;
+    if (!recording && scene::names_recording(scene.name))
+        recording = std::make_shared<const scene::Recording>(scene::read_recording(scene.name).or_throw());
+    const auto kind = recording ? std::string(scene::recorded_kind) : scene.name;
+    const auto parameters = scene::complete_parameters(kind, scene.parameters).or_throw();
+    auto made = recording ? scene::recorded_workload(*recording, parameters, plan.queries)
+                          : scene::make_scene(kind, shape.body, parameters, plan.seed, plan.queries,
+                                              placing_distance);
+    note_ = made.warning;
+    workload_ = std::move(made).or_throw();
     const std::size_t wanted = std::min(plan.checked, workload_.queries.size());
     for (std::size_t k = 0; k < wanted; ++k) checked_.push_back(k * workload_.queries.size() / wanted);
 }

@@ -25,10 +25,12 @@ namespace edgewise::sweep {
 
 class SharedQueries {
   public:
-    /// Throws std::invalid_argument when the scene cannot be made.
+    /// A choice without a recording may name one. Throws std::invalid_argument when the scene cannot be made.
     SharedQueries(const Plan& plan, const SceneChoice& scene, const scene::NamedShape& shape);
 
     [[nodiscard]] const scene::Workload& workload() const { return workload_; }
+    /// Returns what a recording leaves out (recorded_workload); else empty.
+    [[nodiscard]] const std::string& note() const { return note_; }
     /// Returns the workload with every query cold: no query knows the last answer of its pair.
     [[nodiscard]] const scene::Workload& cold_workload();
 
@@ -45,6 +47,7 @@ class SharedQueries {
   private:
     bool asks_control_;
     scene::Workload workload_;
+    std::string note_;
     std::optional<scene::Workload> cold_workload_;  ///< made by the first call of cold_workload()
     std::vector<std::size_t> checked_;
     std::map<std::string, std::vector<truth::KnownPair>> known_;  // by the bodies' fingerprint

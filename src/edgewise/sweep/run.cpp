@@ -118,22 +118,6 @@ void count(store::CellStatus status, SweepSummary& summary) {
     ++*counts[static_cast<int>(status)];
 }
 
-/// What is the same of all cells of a group.
-store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape) {
-    store::CellRow row;
-    row.scene = scene.choice.name;
-    row.scene_kind = scene.kind;
-    row.scene_parameters = bench::parameters_json(scene.choice.parameters);
-    row.shape = shape.name;
-    row.shape_source = shape.source;
-    row.vertices = shape.body.vertex_count();
-    row.edges = shape.body.edge_count();
-    row.faces = shape.body.face_count();
-    row.seed = plan.seed;
-    row.queries = scene.queries;
-    return row;
-}
-
 class Sweep {
   public:
     Sweep(const SweepWork& work, store::Store& store, const std::string& build, TimeLeft& left,
@@ -233,11 +217,8 @@ class Sweep {
             return;
         }
         const std::string what = scene.choice.name + " " + shape.name;
-        Plan plan = work_.plan;
-        plan.queries = scene.queries;
-        SceneChoice made = scene.choice;
-        if (!scene.kind.empty()) made.name = scene.kind;
-        SharedQueries shared(plan, made, shape);
+        SharedQueries shared = queries_of(work_.plan, scene, shape);
+        if (!shared.note().empty()) listener_.on_warning(shared.note());
         verify_and_trace(cells, shared, expected, what);
         const bench::TableType& type = baseline_type();
         CellRun baseline(type, baseline_algorithm_on(type), {}, row_of(work_.plan, scene, shape), shape.body);
@@ -246,8 +227,9 @@ class Sweep {
             listener_.on_warning(fmt::format(
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
                 scene.choice.name, shape.name, to_string(baseline.row().status), baseline.row().reason));
-        time_rounds(plan, cells, baseline, stored_, stop_,
-                    [&] { advance(expected, Step::rounds, static_cast<std::size_t>(plan.rounds), what); });
+        time_rounds(work_.plan, cells, baseline, stored_, stop_, [&] {
+            advance(expected, Step::rounds, static_cast<std::size_t>(work_.plan.rounds), what);
+        });
         if (stop_) return;
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
@@ -276,6 +258,28 @@ class Sweep {
 };
 
 }  // namespace
+
+store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape) {
+    store::CellRow row;
+    row.scene = scene.choice.name;
+    row.scene_kind = scene.kind;
+    row.scene_parameters = bench::parameters_json(scene.choice.parameters);
+    row.shape = shape.name;
+    row.shape_source = shape.source;
+    row.vertices = shape.body.vertex_count();
+    row.edges = shape.body.edge_count();
+    row.faces = shape.body.face_count();
+    row.seed = plan.seed;
+    row.queries = scene.queries;
+    return row;
+}
+
+SharedQueries queries_of(Plan plan, const SceneWork& scene, const scene::NamedShape& shape) {
+    plan.queries = scene.queries;
+    SceneChoice made = scene.choice;
+    if (!scene.kind.empty()) made.name = scene.kind;
+    return {plan, made, shape};
+}
 
 SweepSummary run_sweep(const SweepWork& work, store::Store& store, TimeLeft& left,
                        const SweepListener& listener, const std::atomic<bool>& stop) {

@@ -10,6 +10,7 @@
 
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/expected_work.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 #include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
@@ -28,6 +29,11 @@ struct SweepListener {
     std::function<void(std::size_t cells)> on_resumed;
     std::function<void(const std::string& line)> on_warning;
 };
+
+/// What all cells of a scene on a shape have in common: a row without algorithm, table and hash.
+[[nodiscard]] store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape);
+/// The queries of these cells. Throws std::invalid_argument when the scene cannot be made.
+[[nodiscard]] SharedQueries queries_of(Plan plan, const SceneWork& scene, const scene::NamedShape& shape);
 
 /// `left` receives the expected work and the time that each part took. `stop` is read between rounds.
 [[nodiscard]] SweepSummary run_sweep(const SweepWork& work, store::Store& store, TimeLeft& left,

@@ -134,6 +134,7 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
     scene.kind = file.kind;
     scene.json = file.text;
     scene.path = choice.name;
+    scene.choice.recording = file.recording;
     if (file.queries > 0 && choice.queries == 0) scene.queries = file.queries;
     if (!choice.layouts.empty()) scene.types = bench::select_table_types(choice.layouts);
     for (Axes& axes : scene.axes) {
@@ -154,9 +155,14 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
 bool add_if_file(const SceneChoice& choice, SweepWork& work,
                  const std::function<void(const std::string&)>& warn) {
     if (!scene::is_scene_file(choice.name)) return false;
+    // A plan names recordings that layouts/sweep makes.
+    const std::string made = file_beside_builds("recordings", choice.name);
+    const bool takes_made = scene::names_recording(choice.name) && !std::filesystem::exists(choice.name) &&
+                            std::filesystem::exists(made);
     auto file = scene::find_scene_file(
-        choice.name, {.bodies = work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{},
-                      .as_stored = work.plan.as_stored});
+        takes_made ? made : choice.name,
+        {.bodies = work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{},
+         .as_stored = work.plan.as_stored});
     if (!file->warning.empty()) warn(file->warning);
     if (!choice.parameters.empty())
         throw std::invalid_argument("scene file " + choice.name + ": its parameters are in the file");
@@ -269,7 +275,7 @@ namespace {
 
 bool is_path(const std::string& name) {
     const auto texts = scene::scene_texts();
-    return name.ends_with(".json") &&
+    return scene::is_scene_file(name) &&
            std::ranges::none_of(texts, [&](const scene::SceneText& text) { return text.name == name; });
 }
 
@@ -298,13 +304,13 @@ void check_scene_names(const Plan& plan) {
     std::map<std::string, std::string> paths;  // by id
     for (const SceneChoice& scene : plan.scenes) {
         if (!is_path(scene.name)) continue;
-        const std::filesystem::path path = scene.name;
-        if (const std::string owner = owner_of_scene_name(path.stem().string()); !owner.empty())
+        const std::string name = scene::scene_name_at(scene.name);
+        if (const std::string owner = owner_of_scene_name(name); !owner.empty())
             throw std::invalid_argument(
                 fmt::format("scene file {}: its name is that of {}: rename the file", scene.name, owner));
-        const auto [first, is_new] = paths.try_emplace(scene_id(path.stem().string()), scene.name);
+        const auto [first, is_new] = paths.try_emplace(scene_id(name), scene.name);
         std::error_code error;
-        if (!is_new && !std::filesystem::equivalent(first->second, path, error))
+        if (!is_new && !std::filesystem::equivalent(first->second, scene.name, error))
             throw std::invalid_argument(
                 fmt::format("scene files {} and {} would go by one name, '{}': rename one", first->second,
                             scene.name, first->first));

@@ -39,6 +39,7 @@ const std::map<std::string, Writer> writers = {
      {{"campaign", "--pairs", "50", "--families", "random", "--shapes", "cube8", "--layouts", "aos_f64"},
       false}},
     {"merge --out", {{"merge", "s.db"}, false}},
+    {"record --out", {{"record", "bullet-stack", "--seconds", "0.1"}}},
     {"advise budget --out",
      {{"advise", "budget", "--shape", "sphere38", "--vertices", "20", "--table", "aos_f64"}}},
     {"bench gate",

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
+#include "edgewise/scene/recording.hpp"
 #include "made_scene.hpp"
 
 namespace edgewise::scene {
@@ -221,6 +222,7 @@ TEST(Scenes, OneSeedOneWorkload) {
         {"gap", 0x8bcdea69156a40e8U},       {"tumble", 0x64db073872c93f51U},
         {"proximity", 0xa9fd913d7cc1f7e5U}, {"pressure", 0x4001d7fcbcf5fd18U}};
     for (const SceneInfo& info : list_scenes()) {
+        if (info.name == recorded_kind) continue;  // made from a file, without a seed
         const Workload w = made_scene(info.name.c_str(), body, 500, {}, 42);
         const std::uint64_t hash = hash_of(w);
         std::printf("hash of %s: %016llx\n", info.name.c_str(), static_cast<unsigned long long>(hash));

@@ -76,7 +76,8 @@ TEST(Plan, EveryNamedPlanAsksForWhatThereIs) {
         EXPECT_FALSE(bench::select_algorithms(plan.algorithms).empty());
         for (const SceneChoice& scene : plan.scenes) {
             if (const auto file = scene::find_scene_file(scene.name)) {
-                EXPECT_TRUE(*file) << name << ": " << file->error;
+                const bool is_made_later = scene::names_recording(scene.name);  // by layouts/sweep
+                EXPECT_TRUE(*file || is_made_later) << name << ": " << file->error;
                 continue;
             }
             const auto complete = scene::complete_parameters(scene.name, scene.parameters);

@@ -217,6 +217,10 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
                                     ": a file NAME.json, or one of edgewise list scene_files");
     if (!file->warning.empty()) warn(file->warning);
     const scene::SceneFile scene = std::move(*file).or_throw();
+    if (scene.recording)
+        throw std::invalid_argument(fmt::format(
+            "--scene {}: advise knows no recordings: edgewise sweep --scenes {} compares its cells",
+            options.scene, options.scene));
     asked.shape = scene.shapes.front();
     if (asked.shape.source != "built-in")
         throw std::invalid_argument("--scene " + options.scene +

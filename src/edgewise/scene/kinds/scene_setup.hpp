@@ -87,5 +87,6 @@ struct SceneKind {
 [[nodiscard]] SceneKind tumble_scene();
 [[nodiscard]] SceneKind proximity_scene();
 [[nodiscard]] SceneKind pressure_scene();
+[[nodiscard]] SceneKind recorded_scene();
 
 }  // namespace edgewise::scene

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for `edgewise
+// sweep
+// --scenes`. The engines are in programs of their own next to this one, which a build has if the engine's
+// package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "edgewise/cli/options.hpp"
+#include "edgewise/cli/usage/folders.hpp"
+#include "edgewise/input/known_names.hpp"
+#include "edgewise/input/output_file.hpp"
+#include "edgewise/measure/process/child_process.hpp"
+#include "edgewise/scene/gzip_lines.hpp"
+
+namespace edgewise::cli {
+
+namespace {
+
+struct RecordArguments {
+    std::string model, out;
+    double seconds = 5, rate = 60;
+};
+
+/// A program that records, with its model.
+struct Engine {
+    const char *program, *packages;
+    std::string model;
+};
+
+Engine engine_of(std::string model) {
+    static const std::vector<std::string> bullet = {"bullet-stack", "bullet-wall", "bullet-heap",
+                                                    "bullet-heap0"};
+    constexpr std::string_view of_mujoco = "mujoco:", of_bullet = "bullet-";
+    if (std::ranges::find(bullet, model) != bullet.end())
+        return {"record_bullet", "libbullet-dev", model.substr(of_bullet.size())};
+    if (model.starts_with(of_mujoco)) model.erase(0, of_mujoco.size());
+    if (model.ends_with(".xml")) return {"record_mujoco", "libmujoco-dev libmujoco-samples", model};
+    throw std::invalid_argument(unknown_name("model", model, bullet) +
+                                ", or a model of MuJoCo: the path of a file that ends in .xml");
+}
+
+int run_record(const RecordArguments& options, bool json) {
+    const Engine engine = engine_of(options.model);
+    const auto program =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "recorders" / engine.program;
+    if (!std::filesystem::exists(program))
+        throw std::invalid_argument(fmt::format(
+            "{}: this program was built without {}: install its engine (Debian: {}) and build again",
+            options.model, engine.program, engine.packages));
+    const auto ran = measure::run_program({program.string(), engine.model, fmt::format("{}", options.seconds),
+                                           fmt::format("{}", options.rate)});
+    if (!ran.value) throw std::runtime_error(ran.reason);
+    if (ran.value->exit_code != 0)
+        throw std::invalid_argument(fmt::format("{} ended with {}: {}", engine.program, ran.value->exit_code,
+                                                on_one_line(ran.value->err)));
+    const std::string& text = ran.value->out;
+    input::write_output(options.out, options.out.ends_with(".gz") ? scene::gzipped(text) : text);
+    const auto steps = std::ranges::count(text, '\n') - 1;  // after the header
+    if (json)
+        print_json(nlohmann::json{{"file", options.out}, {"steps", steps}});
+    else
+        fmt::print("{}: {} steps\n", options.out, steps);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_record(CLI::App& app, Context& context) {
+    auto [command, options] = add_command(
+        app, context, "record", "Records the motion of a model in MuJoCo or Bullet, to be swept", run_record);
+    command
+        ->add_option(
+            "model", options.model,
+            "bullet-stack, bullet-wall, bullet-heap, bullet-heap0 (hulls without margin), or a model of "
+            "MuJoCo: a file that ends in .xml, or the name of a sample")
+        ->required();
+    add_output_file(*command, "--out", options.out,
+                    "file to write: the recording, ending in .jsonl or .jsonl.gz")
+        ->required();
+    add_number(*command, "--seconds", options.seconds, {0.01, 3600, "seconds"}, "how long the engine runs");
+    add_number(*command, "--rate", options.rate, {0, 100'000, "steps per second"},
+               "steps recorded per second; 0: every step of the engine");
+}
+
+}  // namespace edgewise::cli
