@@ -162,7 +162,7 @@ set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_O
 target_link_libraries(edgewise_program PRIVATE edgewise_cli edgewise_tool)
 # Tests under sanitizers do not start it.
 if(EDGEWISE_SANITIZE)
-    set_target_properties(edgewise_program edgewise_cli edgewise_reports PROPERTIES EXCLUDE_FROM_ALL ON)
+    set_target_properties(edgewise_program edgewise_cli edgewise_reports edgewise_report_tables PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()
 
 # The program with a few table types for any processor since 2013: Valgrind can run it. It is also a second build of

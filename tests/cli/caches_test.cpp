@@ -1,66 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Output of the commands about caches and memory: modelled figures in a store, the same in every environment;
-// speeds, calibration and page faults.
+// Output of the commands about caches and memory: speeds, calibration and page faults.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "cli_paths.hpp"
 #include "program.hpp"
-#include "sweep_store.hpp"
 
 namespace edgewise::cli_test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-
-TEST(Caches, AreModelledForCellsThatAskForIt) {
-    const Folder folder;
-    folder.write("mine.json", R"({"what": "mine", "clock_mhz": 1000, "line_bytes": 64,
-        "levels": [{"name": "L1D", "bytes": 4096, "ways": 4, "latency_cycles": 4, "source": "me"}],
-        "memory": {"latency_cycles": 100, "source": "me"}})");
-    const Arguments arguments = {
-        "sweep",     "--scenes", "tumble,static", "--shapes",   "cube8,sphere38", "--layouts", "aos_f64",
-        "--queries", "200",      "--checked",     "20",         "--rounds",       "1",         "--caches",
-        "sphere38",  "--store",  "s.db",          "--machines", "zen5,mine.json"};
-    ASSERT_EQ(run(arguments, folder).exit_code, 0);
-    // Three scenes (plan quick has two of tumble), two algorithms.
-    const std::string figure = "from figure join cell using (hash) where shape = ";
-    EXPECT_EQ(rows_of(folder / "s.db",
-                      "select value " + figure + "'sphere38' and name = 'zen5.L2.misses_per_query'")
-                  .size(),
-              6U);
-    const auto mine = rows_of(
-        folder / "s.db", "select value > 0 " + figure + "'sphere38' and name = 'mine.L1D.misses_per_query'");
-    EXPECT_THAT(mine, testing::AllOf(testing::SizeIs(6), testing::Contains("1").Times(testing::Ge(3))));
-    const auto others = rows_of(folder / "s.db", "select value is null and figure.reason <> '' " + figure +
-                                                     "'cube8' and name = 'misses_per_query'");
-    EXPECT_THAT(others, testing::AllOf(testing::SizeIs(6), testing::Each(HasSubstr("1"))));
-    EXPECT_THAT(text_of(folder / "index.html"),
-                testing::AllOf(HasSubstr("zen5: misses, why"), HasSubstr("mine L1D")));
-}
-
-/// A table that is built again takes another time.
-TEST(Caches, AreNotModelledAgainForTheSameMachines) {
-    const Folder folder;
-    Arguments arguments = {"sweep",     "--scenes", "static",     "--shapes", "sphere38",
-                           "--layouts", "aos_f64",  "--queries",  "200",      "--checked",
-                           "20",        "--rounds", "1",          "--caches", "sphere38",
-                           "--store",   "s.db",     "--machines", "zen5"};
-    const auto built = [&] {
-        EXPECT_EQ(run(arguments, folder).exit_code, 0);
-        return rows_of(folder / "s.db", "select hash, value from figure where name = 'build_ns' order by 1");
-    };
-    const auto first = built();
-    ASSERT_FALSE(first.empty());
-    EXPECT_EQ(built(), first);
-    arguments.back() = "zen4";
-    EXPECT_NE(built(), first);
-}
 
 TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
     const Folder folder;

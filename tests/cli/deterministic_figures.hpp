@@ -41,6 +41,7 @@ using Figures = std::vector<std::string>;
                                        "--stability", "0",
                                        "--store",     "s.db",
                                        "--axes",      "sharing=per_instance,order=bfs"});
+    arguments.emplace_back("--no-report");
     const Outcome outcome = Process("/usr/bin/env", arguments, folder).wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return deterministic_figures_in(folder / "s.db");

@@ -105,18 +105,6 @@ TEST(Bytes, SaysWhatAllocatorsTake) {
     EXPECT_GT(slack(row_of(ledger, "linked_f64")), 1.05) << "a header a node";
 }
 
-TEST(Bytes, ShowsTheWaysTo168) {
-    const json ledger = json_of({"bytes", "--layouts", "aos_f64", "--shape", "cube8", "--json"});
-    int reach = 0, halve = 0;
-    for (const json& way : ledger["decompositions"]) {
-        reach += way["f64"] == 168;
-        halve += way["f64"] == 168 && way["f32"] == 84;
-    }
-    EXPECT_GE(reach, 6);
-    EXPECT_GE(halve, 3);
-    EXPECT_LT(halve, reach);
-}
-
 /// Wider indices cost more, and only where a layout has them.
 TEST(Bytes, FitsSlopesByIndexWidth) {
     const json ledger = json_of({"bytes", "--layouts", "lean_f64,aos_f64", "--slopes", "--json"});

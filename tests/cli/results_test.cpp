@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A sweep's files of results and `edgewise export`, compared number by number with their store; and the
-// claims of two stores compared.
+// A sweep's files of results and `edgewise export`, compared number by number with their store; the claims of
+// two stores compared; and machine records.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "cli_paths.hpp"
 #include "csv_reader.hpp"
 #include "program.hpp"
 #include "sweep_store.hpp"
@@ -158,6 +159,89 @@ TEST(ReportCompare, PrintsAndWritesWhatChanged) {
     EXPECT_EQ(stores.exit_code, 0) << stores.err;
     EXPECT_THAT(stores.out, HasSubstr("s.db: passed; "));
     EXPECT_EQ(run({"compare", "s.db", "missing.db"}, folder).exit_code, 2);
+}
+
+TEST(MachineRecords, ComeFromASweepAndAreCompared) {
+    const Folder folder;
+    ASSERT_EQ(run({"sweep",
+                   "--layouts",
+                   "aos_f64,lean_f32",
+                   "--algorithms",
+                   "vclip",
+                   "--scenes",
+                   "cold",
+                   "--shapes",
+                   "sphere386",
+                   "--queries",
+                   "300",
+                   "--rounds",
+                   "4",
+                   "--caches",
+                   "all",
+                   "--machines",
+                   "zen5",
+                   "--store",
+                   "s.db",
+                   "--out",
+                   "pages"},
+                  folder)
+                  .exit_code,
+              0);
+    const Outcome measured = run({"export", "s.db", "--machine-record", "--out", "mine.json"}, folder);
+    ASSERT_EQ(measured.exit_code, 0) << measured.err;
+    const Outcome modelled =
+        run({"export", "s.db", "--machine-record", "--modelled", "zen5", "--out", "zen5.json"}, folder);
+    ASSERT_EQ(modelled.exit_code, 0) << modelled.err;
+    const Outcome compared = run({"compare", "mine.json", "zen5.json", "--json"}, folder);
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    const json result = json::parse(compared.out);
+    EXPECT_EQ(result["machines"][1]["modelled"], true);
+    ASSERT_EQ(result["questions"].size(), 1U);
+    EXPECT_FALSE(result["questions"][0]["first"][1]["tables"].empty());
+    EXPECT_EQ(run({"compare", "nothing.json"}, folder).exit_code, 2);
+}
+
+TEST(MachineRecords, ThreeModelsAreThereToBeCompared) {
+    const Folder folder;
+    Arguments arguments = {"compare", "--json"};
+    for (const auto& entry : std::filesystem::directory_iterator(records_folder))
+        arguments.push_back(entry.path().string());
+    const Outcome compared = run(arguments, folder);
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    const json result = json::parse(compared.out);
+    ASSERT_EQ(result["machines"].size(), 3U);
+    for (const json& machine : result["machines"]) EXPECT_EQ(machine["modelled"], true);
+    EXPECT_GT(result["questions"].size(), 3U);
+    const std::string zen3 = text_of(records_folder + std::string("/zen3.json"));
+    json other = json::parse(zen3);
+    ASSERT_FALSE(other["cells"].empty());
+    folder.write("zen3.json", zen3);
+    json elsewhere;
+    for (const auto& [cell, figures] : other["cells"].items())
+        elsewhere["elsewhere" + cell.substr(cell.find(' '))] = figures;
+    other["cells"] = elsewhere;
+    folder.write("other.json", other.dump());
+    EXPECT_EQ(run({"compare", "zen3.json", "zen3.json"}, folder).exit_code, 0);
+    const Outcome nothing = run({"compare", "zen3.json", "other.json"}, folder);
+    EXPECT_EQ(nothing.exit_code, 1);
+    EXPECT_THAT(nothing.err, HasSubstr("nothing was compared"));
+    arguments[1] = records_folder + std::string("/zen3.json");
+    EXPECT_THAT(run(arguments, folder).out, HasSubstr("zen3 (model)"));
+}
+
+TEST(Bytes, ShowsTheWaysTo168) {
+    const Folder folder;
+    const Outcome bytes = run({"bytes", "--layouts", "aos_f64", "--shape", "cube8", "--json"}, folder);
+    ASSERT_EQ(bytes.exit_code, 0) << bytes.err;
+    const json ledger = json::parse(bytes.out);
+    int reach = 0, halve = 0;
+    for (const json& way : ledger["decompositions"]) {
+        reach += way["f64"] == 168;
+        halve += way["f64"] == 168 && way["f32"] == 84;
+    }
+    EXPECT_GE(reach, 6);
+    EXPECT_GE(halve, 3);
+    EXPECT_LT(halve, reach);
 }
 
 }  // namespace

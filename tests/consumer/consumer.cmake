@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN: installs the package, moves it, checks that it has
-# no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning and
-# outside flags; also with clang++ if there is one). It compares their output with README. Then it builds the
-# layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN, PROGRAM: installs the package, moves it, checks that
+# it has no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning
+# and outside flags). It compares their output with README. Then it builds the layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
 # the differences if a member is added.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
@@ -112,7 +111,7 @@ endfunction()
 
 # The header of a lock compiles with the installed headers, and no longer if a size in it is another.
 function(check_lock_header COMPILER)
-    run("edgewise lock --header" ${BUILD}/edgewise lock --header --table lean_f32 --shape cube8 --queries 20)
+    run("edgewise lock --header" ${PROGRAM} lock --header --table lean_f32 --shape cube8 --queries 20)
     file(WRITE ${SCRATCH}/right/lock_header "${output}")
     string(REPLACE "sizeof(Pair) == " "sizeof(Pair) == 1" changed "${output}")
     file(WRITE ${SCRATCH}/wrong/lock_header "${changed}")
@@ -133,7 +132,7 @@ function(check_python)
         message("no python3 here: read_store.py is not tried (Debian: python3)")
         return()
     endif()
-    run("a small sweep" ${BUILD}/edgewise sweep --scenes cold --shape cube8 --layouts lean_f32,aos_f64 --algorithms vclip
+    run("a small sweep" ${PROGRAM} sweep --scenes cold --shape cube8 --layouts lean_f32,aos_f64 --algorithms vclip
         --queries 100 --checked 20 --rounds 1 --no-report --store ${SCRATCH}/s.db)
     run("read_store.py" ${PYTHON} ${examples}/read_store.py ${SCRATCH}/s.db bytes.total_bytes_per_edge)
     if(NOT output MATCHES "^cold cube8 vclip lean_f32 [0-9.]+ [^\n]*\ncold cube8 vclip aos_f64 [0-9.]+ [^\n]* ########################################\n$")
@@ -155,9 +154,3 @@ check_consumer(${COMPILER} ${SCRATCH}/build)
 check_locks(${COMPILER} ${SCRATCH}/lock)
 check_lock_header(${COMPILER})
 check_python()
-find_program(OTHER NAMES clang++ clang++-14 clang++-15 clang++-16)
-if(OTHER)
-    check_consumer(${OTHER} ${SCRATCH}/build-other)
-    check_locks(${OTHER} ${SCRATCH}/lock-other)
-    check_lock_header(${OTHER})
-endif()

@@ -19,6 +19,9 @@ endforeach()
 set(unit ${CMAKE_CURRENT_BINARY_DIR}/use_layouts.cpp)
 configure_file(use_layouts.cpp.in ${unit} @ONLY)
 
+set(library layouts src/edgewise/geometry src/edgewise/table src/edgewise/layout_parts src/edgewise/algorithms)
+list(TRANSFORM library PREPEND ${PROJECT_SOURCE_DIR}/)
+list(APPEND library ${CMAKE_CURRENT_SOURCE_DIR} ${unit})
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 find_program(HOUSE_CLANG NAMES clang++ clang++-14 clang++-15 clang++-16)
 foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
@@ -26,6 +29,7 @@ foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
     add_test(NAME house.no_warnings_of_${name} COMMAND ${compiler} -std=c++20 -fsyntax-only -I${EDGEWISE_INCLUDE}
         -isystem ${eigen} -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wno-unknown-attributes -Wno-psabi -Werror ${unit})
     set_tests_properties(house.no_warnings_of_${name} PROPERTIES TIMEOUT 300)
+    edgewise_inputs(house.no_warnings_of_${name} ${library})
     # Misuse of the library must give exactly one error, with the library's message.
     foreach(misuse mixed_precisions fast_math)
         set(flags)
@@ -35,5 +39,6 @@ foreach(compiler ${CMAKE_CXX_COMPILER} ${HOUSE_CLANG})
         add_test(NAME house.${misuse}_is_one_error_of_${name}
             COMMAND ${CMAKE_COMMAND} -D "COMMAND=${compiler};-std=c++20;-fsyntax-only;${flags};-I${EDGEWISE_INCLUDE};-isystem;${eigen}"
                 -D UNIT=${CMAKE_CURRENT_SOURCE_DIR}/misuse/${misuse}.cpp -P ${CMAKE_CURRENT_SOURCE_DIR}/one_error.cmake)
+        edgewise_inputs(house.${misuse}_is_one_error_of_${name} ${library})
     endforeach()
 endforeach()

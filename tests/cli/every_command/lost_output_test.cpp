@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <set>
 
 #include "commands.hpp"
@@ -12,61 +13,74 @@
 namespace edgewise::cli_test {
 namespace {
 
-/// Every command as text, as JSON and its help; and the help of all.
-std::vector<Arguments> all_printing(const Folder& folder) {
-    std::vector<Arguments> all = {{"--help"}, {"--help-all"}};
-    for (const std::string& command : listed_commands(folder)) {
-        all.push_back(called(command, {"--help"}));
-        const auto known = printing().find(command);
-        if (known == printing().end()) {
-            ADD_FAILURE() << "say in `printing` with which arguments " << command << " prints something";
-            continue;
-        }
-        for (const bool as_json : {false, true}) {
-            Arguments words = called(command, known->second);
-            if (as_json) words.emplace_back("--json");
-            all.push_back(words);
-        }
+/// Its parameter: a command of `printing`, or "" for the help of all.
+class EveryCommand : public testing::TestWithParam<std::string> {
+  protected:
+    /// Its help; with arguments that print something, its text and its JSON.
+    [[nodiscard]] static std::vector<Arguments> command_lines() {
+        if (GetParam().empty()) return {{"--help"}, {"--help-all"}};
+        Arguments words = called(GetParam(), printing().at(GetParam())), in_json = words;
+        in_json.emplace_back("--json");
+        return {called(GetParam(), {"--help"}), words, in_json};
     }
-    return all;
-}
 
-TEST(Output, ThatIsLostIsExitCodeTwoForEveryCommand) {
-    const Folder folder;
-    const NoOtherPrograms none;
-    fill(folder);
-    for (const Arguments& words : all_printing(folder)) {
-        const std::string command = testing::PrintToString(words);
-        const Outcome plain = run(words, folder);
-        EXPECT_NE(plain.exit_code, 2) << command << plain.err;
-        EXPECT_NE(plain.out, "") << command;
+    void expect_loss_is_said(const Arguments& words, const Outcome& plain) const {
         for (const auto& [to, reason] : std::map<std::string, std::string>{
                  {">/dev/full", "No space left on device"}, {">&-", "Bad file descriptor"}}) {
-            const Outcome lost = run_in_shell("\"$0\" \"$@\" " + to, words, folder);
-            EXPECT_EQ(lost.exit_code, 2) << command << to;
+            const Outcome lost = run_in_shell("\"$0\" \"$@\" " + to, words, folder_);
+            EXPECT_EQ(lost.exit_code, 2) << to;
             EXPECT_EQ(lost.err,
                       plain.err + "edgewise: stdout: " + reason + ": what was printed is incomplete\n")
-                << command << to;
+                << to;
         }
+    }
+
+    /// Tables reserve all the addresses that they could ever need. If there are too few, they grow step by
+    /// step, and every traced address is the same as before.
+    void expect_the_same_in_four_gibibytes(const Arguments& words, const Outcome& plain) const {
+        const std::set<std::string> exact = {"bytes", "caches", "draw", "judge", "lock", "query"};
+        const Outcome limited = run_in_shell("ulimit -v 4194304 && exec \"$0\" \"$@\"", words, folder_);
+        EXPECT_EQ(limited.exit_code, plain.exit_code) << limited.err;
+        EXPECT_EQ(limited.err, plain.err);
+        if (exact.contains(words[0])) {
+            EXPECT_EQ(limited.out, plain.out);
+        }
+    }
+
+    Folder folder_;
+};
+
+TEST_P(EveryCommand, SaysThatOutputIsLostAndNeedsFewAddresses) {
+    const NoOtherPrograms none;
+    fill(folder_);
+    for (const Arguments& words : command_lines()) {
+        SCOPED_TRACE(testing::PrintToString(words));
+        const Outcome plain = run(words, folder_);
+        EXPECT_NE(plain.exit_code, 2) << plain.err;
+        EXPECT_NE(plain.out, "");
+        expect_loss_is_said(words, plain);
+        expect_the_same_in_four_gibibytes(words, plain);
     }
 }
 
-/// Tables reserve all the addresses that they could ever need. If there are too few, they grow step by
-/// step, and every traced address is the same as before.
-TEST(Memory, OfFourGibibytesOfAddressesIsEnoughForEveryCommand) {
+std::vector<std::string> all_with_arguments() {
+    std::vector<std::string> commands = {""};
+    for (const auto& [command, arguments] : printing()) commands.push_back(command);
+    return commands;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryCommand, testing::ValuesIn(all_with_arguments()), [](const auto& command) {
+    std::string name = command.param.empty() ? "all" : command.param;
+    std::ranges::replace(name, ' ', '_');
+    return name;
+});
+
+TEST(Commands, AreAllKnownWithArgumentsThatPrint) {
     const Folder folder;
-    const NoOtherPrograms none;
-    fill(folder);
-    const std::set<std::string> exact = {"bytes", "caches", "draw", "judge", "lock", "query"};
-    for (const Arguments& words : all_printing(folder)) {
-        const Outcome plain = run(words, folder);
-        const Outcome limited = run_in_shell("ulimit -v 4194304 && exec \"$0\" \"$@\"", words, folder);
-        EXPECT_EQ(limited.exit_code, plain.exit_code) << testing::PrintToString(words) << limited.err;
-        EXPECT_EQ(limited.err, plain.err) << testing::PrintToString(words);
-        if (exact.contains(words[0])) {
-            EXPECT_EQ(limited.out, plain.out) << testing::PrintToString(words);
-        }
-    }
+    std::vector<std::string> known = all_with_arguments();
+    known.erase(known.begin());
+    EXPECT_THAT(listed_commands(folder), testing::UnorderedElementsAreArray(known))
+        << "say in `printing` with which arguments a command prints something";
 }
 
 /// A reader that has enough ends the program without a word, as it ends other programs.
