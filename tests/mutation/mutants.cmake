@@ -13,9 +13,9 @@ edgewise_mutant(relative_pose_not_transposed geometry/pose.hpp [[multiply_transp
 edgewise_mutant(plane_offset_sign geometry/vec.hpp [[dot(normal, p) + offset]] [[dot(normal, p) - offset]]
     RandomPairs* ${random_pairs})
 edgewise_mutant(bent_faces_count_as_flat geometry/strictly_convex.cpp [[|| turns.is_bent(f)]] [[]]
-    StrictlyConvex.ABentFace* ${unit}/geometry/strictly_convex_test.cpp)
+    StrictlyConvex.ABentFace* ${unit}/geometry/flat_hull_test.cpp)
 edgewise_mutant(flat_corners_count_as_turns geometry/strictly_convex.cpp [[dot(from, to) <= 0 ? 1]] [[dot(from, to) >= 0 ? 1]]
-    StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
+    StrictlyConvex.* ${unit}/geometry/flat_hull_test.cpp)
 
 # Table
 edgewise_mutant(least_violated_plane table/ring_questions.hpp [[if (d < least) {]] [[if (d < 0) {]]
@@ -51,7 +51,7 @@ edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved
 edgewise_mutant(climb_stops_at_level_vertices algorithms/support.hpp [[|| !leave_level(table, direction, band, best)) return best;]] [[|| true) return best;]]
     Climb* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(inward_edges_are_climbed geometry/strictly_convex.cpp [[return dot(turn, side) >= least_ * reach_;]] [[return true;]]
-    StrictlyConvex.* ${unit}/geometry/strictly_convex_test.cpp)
+    StrictlyConvex.* ${unit}/geometry/flat_hull_test.cpp)
 edgewise_mutant(seeds_of_the_other_side layout_parts/seed_directions.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(thin_sides_derived_plainly layout_parts/derived/thin_corners.hpp [[if (corner.is_fair()) return perpendicular(along, aside);]] [[return perpendicular(along, aside);]]
@@ -149,7 +149,7 @@ edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.hpp [[low[axis]
     SweepAndPrune.* ${unit}/algorithms/sweep_and_prune_test.cpp)
 
 edgewise_mutant(referee_without_edges truth/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
-    MooreWilhelms.* ${unit}/truth/moore_wilhelms_test.cpp)
+    MooreWilhelms.* ${unit}/truth/enclosure_test.cpp)
 
 # Truth
 edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[for (int i = 0; i < 1 && !simplex.holds_origin(); ++i) {]]
@@ -231,7 +231,7 @@ edgewise_mutant(equal_points_beat_each_other reports/tables/fronts.cpp [[if (las
 edgewise_mutant(as_slow_is_no_worse reports/tables/fronts.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && !equal && point.ns > last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
 edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
-    Error.HasQuantiles* ${unit}/probes/error_test.cpp)
+    Error.HasQuantiles* ${unit}/probes/known_numbers_test.cpp)
 
 # Files of results
 edgewise_mutant(formulas_are_left_alone reports/results/main_figures.cpp [["=+-@\t\r\n'"]] [["=+@\t\r\n'"]]

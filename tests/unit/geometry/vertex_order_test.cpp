@@ -2,23 +2,40 @@
 //
 // Other numbers for the same body: nothing is lost, the body is sound, names stay, and neighbours come closer
 // where that is the aim.
+//
+// The vertex found through boxes is the one that a look at every vertex finds: on spheres, flat and far-off
+// bodies, for planes that graze them by rounding steps.
+//
+// Rounding a body to single precision: its own topology, the names of the original input.
 #include "edgewise/geometry/vertex_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
+#include <random>
 
 #include "cones.hpp"
 #include "edgewise/geometry/check_polyhedron.hpp"
 #include "edgewise/geometry/hull.hpp"
+#include "edgewise/geometry/hull/vertex_boxes.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
+#include "geometry_bodies.hpp"
 
 namespace edgewise {
 namespace {
+
+using testing::all_violations;
+using testing::box_points;
+using testing::Dice;
+using testing::placed;
+using testing::Points;
+using testing::random_rotation;
 
 constexpr VertexOrder all_orders[] = {VertexOrder::given, VertexOrder::bfs, VertexOrder::spatial,
                                       VertexOrder::rcm};
@@ -124,6 +141,134 @@ TEST(BandwidthOrder, TakesAVertexOfVeryManyNeighbours) {
     expect_every_vertex_once(body);
     EXPECT_GE(bandwidth(body), 200U);
     EXPECT_GE(bandwidth(reordered(body, VertexOrder::rcm).or_throw()), 200U);
+}
+
+std::optional<Index> first_of_all(const std::vector<Vec3d>& vertices, const Plane<double>& plane,
+                                  double height) {
+    for (Index v = 0; v < vertices.size(); ++v) {
+        if (!(plane.distance(vertices[v]) <= height)) return v;
+    }
+    return {};
+}
+
+/// On an ellipsoid with these half axes around `centre`.
+std::vector<Vec3d> ellipsoid(std::size_t count, const Vec3d& axes, const Vec3d& centre,
+                             std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    std::vector<Vec3d> points(count);
+    for (Vec3d& point : points) {
+        point = Vec3d(normal(random), normal(random), normal(random)).normalized();
+        point = centre + point.cwiseProduct(axes);
+    }
+    return points;
+}
+
+TEST(VertexBoxes, FindWhatALookAtAllFinds) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    int none = 0, some = 0;
+    for (const std::size_t count : {1, 4, 17, 97, 1000, 6000}) {
+        for (const Vec3d& axes :
+             {Vec3d(1, 1, 1), Vec3d(1, 1e-9, 3), Vec3d(0, 1, 0), Vec3d(1e-30, 2e-30, 1e-30)}) {
+            for (const double offset : {0.0, 1e6}) {
+                const std::vector<Vec3d> vertices = ellipsoid(count, axes, Vec3d::Constant(offset), random);
+                const VertexBoxes boxes(vertices);
+                for (int i = 0; i < 60; ++i) {
+                    const Vec3d direction =
+                        Vec3d(normal(random), normal(random), normal(random)).normalized();
+                    Plane<double> plane{direction, 0};
+                    double highest = -std::numeric_limits<double>::infinity();
+                    for (const Vec3d& v : vertices) highest = std::max(highest, plane.distance(v));
+                    // Through the highest vertex, a few rounding steps over or under it, or well inside.
+                    plane.offset = i % 6 == 5 ? -0.7 * highest : -highest * (1 + (i % 6 - 2) * 0x1p-52);
+                    const auto expected = first_of_all(vertices, plane, 0);
+                    ASSERT_EQ(boxes.first_above(plane, 0), expected) << count << ' ' << axes.transpose();
+                    ++(expected ? some : none);
+                }
+            }
+        }
+    }
+    std::printf("%d planes with a vertex above, %d without\n", some, none);
+    EXPECT_GT(none, 100);
+    EXPECT_GT(some, 100);
+}
+
+TEST(VertexBoxes, CountsWhatIsNoNumberAsAbove) {
+    const std::vector<Vec3d> vertices(40, Vec3d(1, 2, 3));
+    const VertexBoxes boxes(vertices);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(boxes.first_above({Vec3d(1, 0, 0), none}, 0), Index{0});
+    EXPECT_EQ(boxes.first_above({Vec3d(none, 0, 0), -9}, 0), Index{0});
+    EXPECT_EQ(boxes.first_above({Vec3d(1, 0, 0), -9}, 0), std::nullopt);
+}
+
+// The expected values are spelled out, since casts in the test would go wrong the same way as casts in the
+// code.
+TEST(RoundToSingle, RoundsEveryCoordinate) {
+    const double tenth = 0x1.99999ap-4;
+    EXPECT_EQ(to_single(0.1), tenth);
+    EXPECT_EQ(to_single(Vec3d(0.1, 0.2, 0.4)), Vec3d(tenth, 2 * tenth, 4 * tenth));
+    const Result<Polyhedron> box = convex_hull(box_points(Vec3d(0.1, 0.2, 0.4)));
+    ASSERT_TRUE(box) << box.error;
+    const Result<Polyhedron> rounded = round_to_single(*box);
+    ASSERT_TRUE(rounded) << rounded.error;
+    EXPECT_EQ(rounded->vertices, box_points(Vec3d(tenth, 2 * tenth, 4 * tenth)));
+}
+
+TEST(RoundToSingle, LeavesRepresentableBodiesAlone) {
+    const Result<Polyhedron> cube = convex_hull(box_points(Vec3d(0.5, 0.25, 3)));
+    ASSERT_TRUE(cube);
+    const Result<Polyhedron> rounded = round_to_single(*cube);
+    ASSERT_TRUE(rounded) << rounded.error;
+    EXPECT_EQ(rounded->vertices, cube->vertices);
+    EXPECT_EQ(rounded->face_ring, cube->face_ring);
+    EXPECT_EQ(rounded.warning, "");
+}
+
+TEST(RoundToSingle, IsTheHullOfTheRoundedVertices) {
+    Dice dice(17);
+    int bent = 0;
+    for (int trial = 0; trial < 30; ++trial) {
+        Points points = placed(box_points(Vec3d(1, 1, 1)), random_rotation(dice), dice.vector(), 1);
+        points.insert(points.begin(), Vec3d(points[0] * 0.5 + points[7] * 0.5));
+        const Result<Polyhedron> box = convex_hull(points);
+        ASSERT_TRUE(box) << box.error;
+        const Result<Polyhedron> rounded = round_to_single(*box);
+        ASSERT_TRUE(rounded) << rounded.error;
+        EXPECT_EQ(all_violations(*rounded), "");
+        for (std::size_t v = 0; v < rounded->vertex_count(); ++v) {
+            const Vec3d single = to_single(points[rounded->input_index[v]]);
+            EXPECT_EQ(rounded->vertices[v], single);
+        }
+        bent += rounded->face_count() > 6;  // rounded corners of a tilted quad are not coplanar
+    }
+    EXPECT_GT(bent, 20);
+}
+
+TEST(RoundToSingle, SaysWhatSinglePrecisionLoses) {
+    const Result<Polyhedron> far =
+        convex_hull(placed(box_points(Vec3d(1, 1, 1)), Mat3d::Identity(), Vec3d(1e9, 0, 0), 1));
+    ASSERT_TRUE(far) << far.error;
+    const Result<Polyhedron> flat = round_to_single(*far);
+    ASSERT_TRUE(flat) << flat.error;
+    EXPECT_LT(flat->face_count(), 3U);
+    EXPECT_NE(flat.warning.find("flat in single precision"), std::string::npos) << flat.warning;
+
+    const Result<Polyhedron> huge = convex_hull(box_points(Vec3d(1e39, 1e39, 1e39)));
+    ASSERT_TRUE(huge);
+    const Result<Polyhedron> overflow = round_to_single(*huge);
+    EXPECT_FALSE(overflow);
+    EXPECT_NE(overflow.error.find("vertex 0"), std::string::npos) << overflow.error;
+
+    Points close = box_points(Vec3d(1, 1, 1));
+    close.push_back(Vec3d(1 + 1e-9, 0, 0));
+    const Result<Polyhedron> roof = convex_hull(close);
+    ASSERT_TRUE(roof);
+    ASSERT_EQ(roof->vertex_count(), 9u);
+    const Result<Polyhedron> box = round_to_single(*roof);
+    ASSERT_TRUE(box) << box.error;
+    EXPECT_EQ(box->vertex_count(), 8u);
+    EXPECT_EQ(box.warning, "1 of 9 vertices vanish in single precision");
 }
 
 }  // namespace

@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: MIT
 //
 // Further axes: read, written back the same, and refused with what is known.
+//
+// If memory for the tables runs out, the cell is unavailable, with that reason: it did not fail its check.
+//
+// Scene files that would go by one name are refused before anything is measured, both named.
 #include "edgewise/sweep/axes.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+
+#include "../complaint.hpp"
+#include "edgewise/input/guarded.hpp"
+#include "edgewise/scene/scene_file.hpp"
+#include "edgewise/scene/scenes.hpp"
+#include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/study.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
 std::string error_of(const char* text) {
-    try {
-        static_cast<void>(parse_axes(text));
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
+    return complaint_of<std::invalid_argument>([&] { return parse_axes(text); });
 }
 
 TEST(Axes, ReadBackAsTheyAreWritten) {
@@ -79,6 +92,103 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("needs=nearer+contact_tolerance=1").find("leave contact_tolerance out"),
               std::string::npos);
     EXPECT_NE(error_of("speed=3").find("unknown; known: "), std::string::npos);
+}
+
+/// "verified: " or what else became of a cell that was verified with so much memory more than there is.
+std::string verified_within(std::uint64_t bytes) {
+    const scene::NamedShape shape{"cube8", "built-in", *scene::make_shape("cube8"), {}};
+    Plan plan;
+    plan.queries = 40;
+    plan.checked = 10;
+    SharedQueries shared(plan, {"cold"}, shape);
+    store::CellRow row;
+    row.scene = "cold";
+    row.shape = shape.name;
+    CellRun cell(bench::table_types().front(), "vclip", {}, row, shape.body);
+    const auto said = input::run_guarded(
+        [&] {
+            cell.verify(shared);
+            return std::string(to_string(cell.row().status)) + ": " + cell.row().reason;
+        },
+        {bytes, std::chrono::seconds(60)});
+    return said ? *said : said.error;
+}
+
+TEST(CellMemory, ThatLacksMakesItUnavailable) {
+    EXPECT_EQ(verified_within(std::uint64_t{64} << 30), "verified: ");
+    EXPECT_EQ(verified_within(std::uint64_t{1} << 30), "verified: ") << "tables ask for what they need";
+    EXPECT_THAT(verified_within(std::uint64_t{1} << 20),
+                testing::StartsWith("unavailable: tables: no address space for 2 MiB of tables"));
+}
+
+std::string complaint(const std::vector<std::string>& scenes) {
+    Plan plan;
+    for (const std::string& name : scenes) plan.scenes.push_back({name});
+    return complaint_of<std::invalid_argument>([&] { check_scene_names(plan); });
+}
+
+TEST(SceneNames, ThatMeetAreRefusedNamingBoth) {
+    EXPECT_THAT(complaint({"c1/s.json", "c2/s.json"}),
+                AllOf(HasSubstr("c1/s.json and c2/s.json"), HasSubstr("'s'")));
+    EXPECT_THAT(complaint({"my scene.json", "cold", "my_scene.json"}),
+                AllOf(HasSubstr("my scene.json and my_scene.json"), HasSubstr("'my_scene'")));
+    EXPECT_EQ(complaint({"a.json", "b.json", "tumble", "tumble", "cold"}), "");
+}
+
+TEST(SceneNames, OfWhatComesAlongAreTaken) {
+    for (const scene::SceneInfo& kind : scene::list_scenes())
+        EXPECT_THAT(complaint({"mine/" + kind.name + ".json"}),
+                    HasSubstr("kind of scene '" + kind.name + "'"));
+    for (const scene::SceneText& text : scene::scene_texts()) {
+        const std::string name(text.name);
+        EXPECT_THAT(complaint({name + ".json"}), HasSubstr("'" + name + "' that comes along"));
+        EXPECT_EQ(complaint({name}), "");
+    }
+}
+
+/// A scene file may be called like a study, or begin like a scene that comes along: its rows say what
+/// measured them.
+TEST(SceneNames, OfStudiesAndBeginningsAreFree) {
+    std::vector<std::string> runs = {store::sweep_run, "thrash_realised"};
+    for (const Study& study : registered_studies()) runs.emplace_back(study.name);
+    for (const std::string& run : runs)
+        for (const std::string end : {"", "2", "ing", " tumble", "_mine"})
+            EXPECT_EQ(complaint({run + end + ".json"}), "") << run << end;
+    for (const scene::SceneInfo& kind : scene::list_scenes()) {
+        EXPECT_EQ(complaint({kind.name + "2.json"}), "");
+        EXPECT_EQ(complaint({kind.name.substr(0, kind.name.size() - 1) + ".json"}), "");
+    }
+    EXPECT_EQ(complaint({"paper_mine.json", "paper_bodies_of_mine.json"}), "");
+}
+
+/// If two runs into one store use different files for a scene, the error names both files.
+TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
+    const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-files";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    store::Store store((folder / "s.db").string());
+    SweepWork work;
+    work.scenes.emplace_back();
+    SceneWork& scene = work.scenes.back();
+    scene.choice.name = "s", scene.json = R"({"scene":"tumble"})", scene.path = "c1/s.json";
+    EXPECT_NO_THROW(check_scene_files(work, store));
+    store.set_meta(store::scene_file_key + scene.choice.name, scene.json);
+    store.set_meta(store::scene_path_key + scene.choice.name, scene.path);
+    EXPECT_NO_THROW(check_scene_files(work, store)) << "the same again";
+    scene.json = R"({"scene":"cold"})", scene.path = "c2/s.json";
+    EXPECT_THAT(complaint_of<std::invalid_argument>([&] { check_scene_files(work, store); }),
+                AllOf(HasSubstr("c1/s.json"), HasSubstr("c2/s.json"), HasSubstr("rename")));
+    std::filesystem::remove_all(folder);
+}
+
+/// A file that is named twice is one scene, for example for other layouts.
+TEST(SceneNames, OfOneFileDoNotMeet) {
+    const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-names";
+    std::filesystem::create_directories(folder);
+    const std::string path = (folder / "s.json").string(), again = (folder / "." / "s.json").string();
+    std::ofstream(path) << "{}";
+    EXPECT_EQ(complaint({path, again, path}), "");
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <tuple>
 #include <utility>
 
+#include "../complaint.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -46,12 +47,7 @@ class PlanFile : public ::testing::Test {
     }
 
     [[nodiscard]] static std::string error_of(const std::string& name) {
-        try {
-            static_cast<void>(make_plan(name));
-        } catch (const std::invalid_argument& problem) {
-            return problem.what();
-        }
-        return "no error";
+        return complaint_of<std::invalid_argument>([&] { return make_plan(name); });
     }
 
     std::filesystem::path folder_;
