@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "edgewise/truth/depth/exact_depth.hpp"
+#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth {
