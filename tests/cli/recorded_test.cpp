@@ -149,6 +149,8 @@ TEST(Recorded, IsRefusedWithWhatToDo) {
         {{"sweep", "--scenes", "recorded"}, "scene 'recorded' is of a file"},
         {{"advise", "--scene", "fall.jsonl"},
          "advise knows no recordings: edgewise sweep --scenes fall.jsonl"},
+        {{"fields", "--scene", "fall.jsonl"}, "edgewise sweep --scenes fall.jsonl measures it"},
+        {{"bench", "effort", "--scene", "fall.jsonl"}, "edgewise sweep --scenes fall.jsonl measures it"},
         {{"record", "bullet-stak", "--out", "a.jsonl"}, "did you mean 'bullet-stack'?"},
         {{"record", "bullet-stack", "--seconds", "0", "--out", "a.jsonl"}, "0.01"}};
     for (const auto& [arguments, said] : all) {

@@ -168,7 +168,7 @@ class GjkRun : GjkStart<TableA, TableB> {
         pair.hold(a_, b_, end, std::numeric_limits<double>::infinity());
         if (end.count == 4) return false;
         KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
-        for (int i = 0; i < end.count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
+        for (std::uint32_t i = 0; i < pair.count(); ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
         if (!answer_if_proven(kept, answer)) return false;
         pair.set_distance(answer.distance);
         return true;

@@ -210,6 +210,7 @@ void add_effort(CLI::App& bench, Context& context) {
         "Instructions, modelled mispredictions and misses per query and step, next to a lower bound",
         run_effort);
     add_scene_options(*command, options.cell);
+    refuse_recordings(*command);
     add_layouts_option(*command, options.layouts);
     add_algorithms_option(*command, options.algorithms);
     CLI::Option* peers = add_peers_option(*command, options.peers);

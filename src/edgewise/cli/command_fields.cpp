@@ -153,6 +153,7 @@ void add_fields(CLI::App& app, Context& context) {
         "Which fields of a table's records are read together, and where they should lie", run_fields);
     studies::FieldsPlan& plan = options.plan;
     add_cell_options(*command, plan.cell);
+    refuse_recordings(*command);
     add_checked_option(*command, plan.cell.checked);
     add_machines_option(*command, plan.machines);
     command->add_option("--beside", plan.beside, "a table type made by hand, which is timed too [hot_cold]");

@@ -11,6 +11,7 @@
 #include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
+#include "edgewise/scene/recording.hpp"
 #include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::cli {
@@ -215,6 +216,17 @@ void add_margin_option(CLI::App& command, std::optional<double>& margin) {
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {
     return command.add_option("--scene", scene, "scene: a kind (edgewise list scenes), or a recording")
         ->capture_default_str();
+}
+
+void refuse_recordings(CLI::App& command) {
+    command.get_option("--scene")
+        ->description("scene: a kind (edgewise list scenes)")
+        ->check([](const std::string& scene) {
+            return scene::names_recording(scene)
+                       ? fmt::format("{} is a recording: edgewise sweep --scenes {} measures it", scene,
+                                     scene)
+                       : std::string();
+        });
 }
 
 void add_cell_options(CLI::App& command, studies::CellChoice& choice) {

@@ -151,6 +151,9 @@ void add_cell_options(CLI::App& command, studies::CellChoice& choice);
 /// Those of its scene alone.
 void add_scene_options(CLI::App& command, studies::CellChoice& choice);
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene);
+/// --scene of a command that asks kinds of scenes alone: a recording is refused, and the command that takes
+/// it is named.
+void refuse_recordings(CLI::App& command);
 
 /// --parameter NAME=NUMBER, as often as wanted.
 CLI::Option* add_parameter_option(CLI::App& command, scene::SceneParameters& parameters);

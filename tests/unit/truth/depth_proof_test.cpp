@@ -12,7 +12,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "edgewise/truth/exact_proof.hpp"
 #include "exact_bodies.hpp"
 
 namespace edgewise::truth {
