@@ -25,6 +25,11 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 file(READ ${store_schema} STORE_SCHEMA)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/store_schema.cpp.in ${PROJECT_BINARY_DIR}/registry/store_schema.cpp @ONLY)
 
+set(processor_events ${PROJECT_SOURCE_DIR}/src/edgewise/measure/counters/events.json)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${processor_events})
+file(READ ${processor_events} PROCESSOR_EVENTS)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/processor_events.cpp.in ${PROJECT_BINARY_DIR}/registry/processor_events.cpp @ONLY)
+
 include(jemalloc)
 include(libpfm)
 
@@ -67,7 +72,7 @@ endif()
 add_library(edgewise_core STATIC ${steering}
     ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${no_revision}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
-    ${PROJECT_BINARY_DIR}/registry/store_schema.cpp)
+    ${PROJECT_BINARY_DIR}/registry/store_schema.cpp ${PROJECT_BINARY_DIR}/registry/processor_events.cpp)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ZLIB::ZLIB ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)

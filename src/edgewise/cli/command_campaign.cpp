@@ -15,7 +15,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
-#include "edgewise/studies/campaign/cells.hpp"
+#include "edgewise/studies/campaign/block_run.hpp"
 #include "edgewise/studies/campaign/run.hpp"
 
 namespace edgewise::cli {

@@ -12,7 +12,7 @@
 
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/measure/machine/machine.hpp"
-#include "edgewise/studies/effort/callgrind_pass.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies {

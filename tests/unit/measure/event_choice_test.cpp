@@ -12,8 +12,6 @@
 #include <tuple>
 #include <utility>
 
-#include "edgewise/measure/counters/event_table.hpp"
-
 namespace edgewise::measure {
 namespace {
 

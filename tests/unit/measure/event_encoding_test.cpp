@@ -10,7 +10,6 @@
 #include <set>
 #include <string>
 
-#include "edgewise/measure/counters/event_table.hpp"
 #include "edgewise/measure/counters/events.hpp"
 
 namespace edgewise::measure {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "edgewise/measure/cache/machine_choice.hpp"
-#include "edgewise/measure/lock/layout_facts.hpp"
+#include "edgewise/measure/lock/lock_program.hpp"
 
 namespace edgewise::measure {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Counts of a stability row, from synthetic answers.
-#include "edgewise/studies/stability/stability_tally.hpp"
+#include "edgewise/studies/stability/stability.hpp"
 
 #include <gtest/gtest.h>
 

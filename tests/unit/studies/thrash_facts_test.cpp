@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "edgewise/studies/thrash/factorial.hpp"
-#include "edgewise/studies/thrash/realised_cell.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 
 namespace edgewise::studies::thrash {

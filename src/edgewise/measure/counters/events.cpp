@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: MIT
+//
+// Names in events.json: libpfm 4.13 for the x86 processors it has; for Zen 5 libpfm's later tables; for Arm
+// libpfm's names. AMD's L3 counters are left out: they belong to a whole core complex, not to a thread, so
+// the last level is seen through the core's own fills from memory. The generic events are defined in the
+// kernel's tables in arch/x86/events/intel/core.c, amd/core.c and drivers/perf/arm_pmuv3.c.
+//
+// Family and model numbers of processors: libpfm 4.13 (pfmlib_intel_*.c, pfmlib_amd64.c) and, for what is
+// newer, the kernel's arch/x86/include/asm/intel-family.h and arch/x86/kernel/cpu/amd.c. 4.13 itself does not
+// recognise some desktop models of Zen 3 and 4 (family 25, model 0x61).
 #include "edgewise/measure/counters/events.hpp"
 
 #include <fmt/core.h>
@@ -6,9 +15,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "edgewise/measure/counters/counter_group.hpp"
-#include "edgewise/measure/counters/event_table.hpp"
 
 namespace edgewise::measure {
 
@@ -143,6 +154,136 @@ ChosenEvent software_event(std::string_view name, std::uint64_t config, std::str
     event.error = error_of(code);
     if (event.error != 0) event.refusal = explain_error(event.error, false, cpu);
     return event;
+}
+
+namespace {
+
+using namespace generation;
+using enum Metric;
+
+struct EventTables {
+    std::vector<EventRow> own;
+    std::vector<GenericEvent> generic;
+};
+
+/// Reads events.json. Throws nlohmann::json::exception or std::out_of_range if a member is missing or names
+/// something unknown.
+EventTables read_tables() {
+    const std::map<std::string, unsigned> on = {{"intel", skylake | sapphire_rapids},
+                                                {"zen", zen2 | zen3 | zen4 | zen5},
+                                                {"zen2", zen2},
+                                                {"zen3", zen3},
+                                                {"zen4", zen4},
+                                                {"zen5", zen5},
+                                                {"arm", neoverse_n1 | neoverse_v2},
+                                                {"neoverse_n1", neoverse_n1},
+                                                {"neoverse_v2", neoverse_v2},
+                                                {"k7", k7}};
+    const std::map<std::string, CpuMaker> makers = {{"intel", CpuMaker::intel},
+                                                    {"amd", CpuMaker::amd},
+                                                    {"arm", CpuMaker::arm},
+                                                    {"other", CpuMaker::other}};
+    const auto texts = nlohmann::json::parse(event_texts);
+    EventTables read;
+    for (const MetricName& metric : metrics) {
+        const std::string name(metric.name);
+        for (const auto& row : texts.at("own").at(name)) {
+            unsigned generations = 0;
+            for (const auto& set : row.at("on")) generations |= on.at(set.get<std::string>());
+            read.own.push_back({metric.metric, generations, row.at("name").get<std::string>(),
+                                row.at("counts").get<std::string>(), row.value("prefetches", false),
+                                row.value("retired", false)});
+        }
+        for (const auto& row : texts.at("generic").at(name))
+            read.generic.push_back({metric.metric, makers.at(row.at("maker").get<std::string>()),
+                                    row.at("name").get<std::string>(), row.at("meaning").get<std::string>()});
+    }
+    return read;
+}
+
+const EventTables& tables() {
+    static const EventTables read = read_tables();
+    return read;
+}
+
+}  // namespace
+
+std::span<const EventRow> event_table() { return tables().own; }
+
+const EventRow* find_event(Metric metric, unsigned generation) {
+    for (const EventRow& row : tables().own) {
+        if (row.metric == metric && (row.generations & generation) != 0) return &row;
+    }
+    return nullptr;
+}
+
+const GenericEvent* find_generic(Metric metric, CpuMaker maker) {
+    for (const GenericEvent& event : tables().generic) {
+        if (event.metric == metric && (event.maker == CpuMaker::other || event.maker == maker)) return &event;
+    }
+    return nullptr;
+}
+
+std::string meaning(const EventRow& row) {
+    if (row.metric == cycles) return row.counts;
+    const char* const when = row.retired ? "retired" : "speculative ones too";
+    // Prefetches are a question of what moves between caches only.
+    if (row.metric < l1d_fills || row.metric == line_crossing_loads)
+        return fmt::format("{} ({})", row.counts, when);
+    return fmt::format("{} ({}, {})", row.counts, row.prefetches ? "prefetches too" : "without prefetches",
+                       when);
+}
+
+std::string processors_with(Metric metric) {
+    std::string names;
+    for (const Processor& processor : processors()) {
+        if (find_event(metric, processor.generation) == nullptr) continue;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", processor.name);
+    }
+    return names;
+}
+
+std::span<const Processor> processors() {
+    using namespace generation;
+    using enum CpuMaker;
+    static constexpr Processor known[] = {
+        // To Kaby, Coffee and Whiskey Lake (0x8e, 0x9e) and Comet Lake (0xa5).
+        {"skl", "Intel Skylake", skylake, intel, 6, {{0x4e}, {0x5e}, {0x8e}, {0x9e}, {0xa5, 0xa6}}},
+        {"skx", "Intel Skylake server", skylake, intel, 6, {{0x55}}, {0, 4}},
+        {"clx", "Intel Cascade Lake server", skylake, intel, 6, {{0x55}}, {5, 0xf}},
+        // To Tiger Lake (0x8c) and Rocket Lake (0xa7).
+        {"icl", "Intel Ice Lake", skylake, intel, 6, {{0x7d, 0x7e}, {0x8c, 0x8d}, {0x9d}, {0xa7}}},
+        {"icx", "Intel Ice Lake server", skylake, intel, 6, {{0x6a}, {0x6c}}},
+        {"spr", "Intel Sapphire Rapids", sapphire_rapids, intel, 6, {{0x8f}, {0xcf}}},  // and Emerald Rapids
+        {"amd64_fam17h_zen2", "AMD Zen 2", zen2, amd, 0x17, {{0x30, 0xff}}},
+        {"amd64_fam19h_zen3", "AMD Zen 3", zen3, amd, 0x19, {{0x00, 0x0f}, {0x20, 0x5f}}},
+        {"amd64_fam19h_zen4", "AMD Zen 4", zen4, amd, 0x19, {{0x10, 0x1f}, {0x60, 0xaf}}},
+        {"amd64_fam1ah_zen5", "AMD Zen 5", zen5, amd, 0x1a, {{0x00, 0x2f}, {0x40, 0x4f}, {0x60, 0x7f}}},
+        {"arm_n1", "Arm Neoverse N1", neoverse_n1, arm, 8, {{0xd0c}}},
+        {"arm_v2", "Arm Neoverse V2", neoverse_v2, arm, 8, {{0xd4f}}},
+        {"amd64_k7", "AMD K7", k7, amd, 6, {{0x00, 0xff}}},
+    };
+    return known;
+}
+
+const Processor* find_processor(const Cpu& cpu) {
+    const std::int64_t model = cpu.model.value.value_or(-1);
+    for (const Processor& processor : processors()) {
+        if (processor.maker != maker_of(cpu) || processor.family != cpu.family.value.value_or(-1)) continue;
+        if (!processor.steppings.holds(cpu.stepping.value.value_or(0))) continue;
+        for (const NumberRange& models : processor.models) {
+            if (models.holds(model)) return &processor;
+        }
+    }
+    return nullptr;
+}
+
+CpuMaker maker_of(const Cpu& cpu) {
+    const std::string vendor = cpu.vendor.value.value_or("");
+    if (vendor == "GenuineIntel") return CpuMaker::intel;
+    if (vendor == "AuthenticAMD" || vendor == "HygonGenuine") return CpuMaker::amd;
+    if (vendor.starts_with("0x")) return CpuMaker::arm;
+    return CpuMaker::other;
 }
 
 }  // namespace edgewise::measure

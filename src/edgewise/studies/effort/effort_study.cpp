@@ -13,7 +13,6 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/studies/effort/callgrind_pass.hpp"
 #include "edgewise/studies/effort/effort.hpp"
 #include "edgewise/sweep/study.hpp"
 

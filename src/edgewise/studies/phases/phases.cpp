@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/studies/effort/callgrind_pass.hpp"
+#include "edgewise/studies/effort/effort.hpp"
 
 namespace edgewise::studies {
 

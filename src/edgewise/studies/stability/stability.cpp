@@ -17,7 +17,6 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/single_cell.hpp"
-#include "edgewise/studies/stability/stability_tally.hpp"
 #include "edgewise/truth/exact_body.hpp"
 #include "edgewise/truth/moore_wilhelms.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/stability/stability_tally.hpp"
+#include "edgewise/studies/stability/stability.hpp"
 
 #include <fmt/format.h>
 

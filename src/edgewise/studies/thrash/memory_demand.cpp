@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/thrash/memory_demand.hpp"
+#include "edgewise/studies/thrash/factorial.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/thrash/realised_cell.hpp"
+#include "edgewise/studies/thrash/thrash_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
