@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# The report's prose (*.md), the frame of its page, chart specifications (*.vl.json), claims, and examples of commands
-# become text in the program, so that it finds them wherever it is installed. A name without its folders identifies a
-# text, so two files of one name are an error.
+# The report's prose (*.md), the frame of its page, chart specifications (*.vl.json), and claims become text in the program,
+# so that it finds them wherever it is installed. A name without its folders identifies a text, so two files of one name
+# are an error.
 
 # edgewise_write_report_texts(OUTPUT): writes the source file OUTPUT.
 function(edgewise_write_report_texts OUTPUT)
     set(reports ${PROJECT_SOURCE_DIR}/reports)
     file(GLOB_RECURSE files CONFIGURE_DEPENDS ${reports}/*.vl.json ${reports}/*.md ${reports}/text/page/page.*
-        ${reports}/paper/text/*.json ${reports}/paper/claims/*.json ${PROJECT_SOURCE_DIR}/src/edgewise/cli/usage/*.json)
+        ${reports}/paper/text/*.json ${reports}/paper/claims/*.json)
     list(FILTER files EXCLUDE REGEX "^${reports}/out/")  # what sweeps write
     list(SORT files)
     set(TEXTS)

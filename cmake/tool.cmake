@@ -25,10 +25,15 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 file(READ ${store_schema} STORE_SCHEMA)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/store_schema.cpp.in ${PROJECT_BINARY_DIR}/registry/store_schema.cpp @ONLY)
 
-set(processor_events ${PROJECT_SOURCE_DIR}/src/edgewise/measure/counters/events.json)
-set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${processor_events})
-file(READ ${processor_events} PROCESSOR_EVENTS)
-configure_file(${PROJECT_SOURCE_DIR}/cmake/processor_events.cpp.in ${PROJECT_BINARY_DIR}/registry/processor_events.cpp @ONLY)
+# edgewise_json_text(FILE HEADER NAME): registry/NAME.cpp defines edgewise::NAME, which HEADER declares: the text of the file.
+function(edgewise_json_text FILE HEADER NAME)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${FILE})
+    file(READ ${PROJECT_SOURCE_DIR}/${FILE} TEXT)
+    string(REGEX REPLACE ".*::" "" unit ${NAME})
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/json_text.cpp.in ${PROJECT_BINARY_DIR}/registry/${unit}.cpp @ONLY)
+endfunction()
+edgewise_json_text(src/edgewise/measure/counters/events.json measure/counters/events.hpp measure::event_texts)
+edgewise_json_text(src/edgewise/cli/usage/examples.json cli/usage/usage.hpp cli::example_texts)
 
 include(jemalloc)
 include(libpfm)
@@ -72,7 +77,7 @@ endif()
 add_library(edgewise_core STATIC ${steering}
     ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${no_revision}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
-    ${PROJECT_BINARY_DIR}/registry/store_schema.cpp ${PROJECT_BINARY_DIR}/registry/processor_events.cpp)
+    ${PROJECT_BINARY_DIR}/registry/store_schema.cpp ${PROJECT_BINARY_DIR}/registry/event_texts.cpp)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ZLIB::ZLIB ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)
@@ -153,7 +158,7 @@ else()
 endif()
 
 edgewise_sources(cli_sources src/edgewise/cli)
-add_library(edgewise_cli OBJECT ${cli_sources} ${revision})
+add_library(edgewise_cli OBJECT ${cli_sources} ${PROJECT_BINARY_DIR}/registry/example_texts.cpp ${revision})
 add_dependencies(edgewise_cli edgewise_revision)
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # Templates of the parser of options: they need not be fast, and take three times as long to compile with optimisation.

@@ -17,7 +17,6 @@
 #include "edgewise/cli/command.hpp"
 #include "edgewise/cli/usage/usage.hpp"
 #include "edgewise/input/known_names.hpp"
-#include "edgewise/reports/text/report_text.hpp"
 #include "edgewise/scene/case_text.hpp"
 
 namespace edgewise::cli {
@@ -194,7 +193,7 @@ std::string fish_completion(const CLI::App& app) {
 }  // namespace
 
 std::string examples_of(const std::string& path) {
-    static const auto examples = nlohmann::json::parse(reports::report_text("examples.json"));
+    static const auto examples = nlohmann::json::parse(example_texts);
     std::string text = "Examples:\n";
     for (const nlohmann::json& line : examples.at(path))
         text += "  edgewise " + line.get<std::string>() + "\n";

@@ -19,6 +19,9 @@ namespace edgewise::cli {
 /// Names of the commands directly below that --help lists.
 [[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
+/// examples.json.
+extern const char* const example_texts;
+
 /// Returns the end of a command's --help: two command lines that can be typed as they are. `path`: the words
 /// that call the command.
 [[nodiscard]] std::string examples_of(const std::string& path);
