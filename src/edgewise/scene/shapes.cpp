@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Names to bodies. Everything goes through convex_hull, as a user's point set does. Next to the bodies that
-// the header describes there is box8, a box with unequal sides: 1.75, 1 and 0.625 m.
+// the header describes there are box8, a box with unequal sides (1.75, 1 and 0.625 m), and ellipsoidN,
+// sphereN with half axes of 1, 0.5 and 0.25 m.
 #include "edgewise/scene/shapes.hpp"
 
 #include <fmt/core.h>
@@ -18,7 +19,7 @@ namespace edgewise::scene {
 namespace {
 
 constexpr double corner = 0.5625;  // 9/16: exact in every precision, radius 0.97 m
-constexpr std::string_view sphere_prefix = "sphere";
+constexpr std::string_view sphere_prefix = "sphere", ellipsoid_prefix = "ellipsoid";
 
 /// half: half of each side.
 std::vector<Vec3d> box_points(const Vec3d& half) {
@@ -36,28 +37,33 @@ std::vector<Vec3d> tetra_points() {
             {-corner, -corner, corner}};
 }
 
-/// Returns the N of a name "sphereN"; no value for other names.
-std::optional<std::size_t> sphere_count(std::string_view name) {
-    if (name.substr(0, sphere_prefix.size()) != sphere_prefix) return std::nullopt;
-    const std::string_view digits = name.substr(sphere_prefix.size());
+/// Returns the N of a name "sphereN", or of another prefix; no value for other names.
+std::optional<std::size_t> count_in(std::string_view name, std::string_view prefix) {
+    if (!name.starts_with(prefix)) return std::nullopt;
+    const std::string_view digits = name.substr(prefix.size());
     std::size_t count = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (digits.empty() || digits.front() == '0' || end != digits.data() + digits.size()) return std::nullopt;
     return error == std::errc::result_out_of_range ? largest_sphere + 1 : count;
 }
 
-Result<Polyhedron> make_sphere(std::string_view name, std::size_t count) {
+Result<Polyhedron> make_sphere(std::string_view name, std::size_t count, const Vec3d& half_axes) {
     const std::vector<SphereSize> sizes = sphere_sizes();
     const auto above = std::find_if(sizes.begin(), sizes.end(),
                                     [count](const SphereSize& size) { return size.vertices() >= count; });
-    if (above != sizes.end() && above->vertices() == count) return convex_hull(sphere_points(*above));
+    if (above != sizes.end() && above->vertices() == count) {
+        std::vector<Vec3d> points = sphere_points(*above);
+        for (Vec3d& point : points) point = point.cwiseProduct(half_axes);
+        return convex_hull(points);
+    }
+    const std::string_view kind = name.substr(0, name.find_first_of("0123456789"));
     std::string near;
-    if (above != sizes.begin()) near += fmt::format("sphere{}", (above - 1)->vertices());
+    if (above != sizes.begin()) near += fmt::format("{}{}", kind, (above - 1)->vertices());
     if (above != sizes.begin() && above != sizes.end()) near += " and ";
-    if (above != sizes.end()) near += fmt::format("sphere{}", above->vertices());
+    if (above != sizes.end()) near += fmt::format("{}{}", kind, above->vertices());
     return Result<Polyhedron>::failure(
-        fmt::format("shape '{}': a sphere has 4 k^2 + 2 or 6 k^2 + 2 vertices, at most {}; the nearest: {}",
-                    name, sizes.back().vertices(), near));
+        fmt::format("shape '{}': it has 4 k^2 + 2 or 6 k^2 + 2 vertices, at most {}; the nearest: {}", name,
+                    sizes.back().vertices(), near));
 }
 
 }  // namespace
@@ -77,11 +83,12 @@ Result<Polyhedron> make_shape(std::string_view name) {
     if (name == "cube8") return convex_hull(box_points({corner, corner, corner}));
     if (name == "box8") return convex_hull(box_points({0.875, 0.5, 0.3125}));
     if (name == "uv_sphere386") return convex_hull(uv_sphere_points());
-    if (const auto count = sphere_count(name)) return make_sphere(name, *count);
+    if (const auto count = count_in(name, sphere_prefix)) return make_sphere(name, *count, {1, 1, 1});
+    if (const auto count = count_in(name, ellipsoid_prefix)) return make_sphere(name, *count, {1, 0.5, 0.25});
     std::vector<std::string> known;
     for (const ShapeInfo& shape : list_shapes()) known.push_back(shape.name);
     return Result<Polyhedron>::failure(fmt::format(
-        "unknown shape '{}'{} known: tetra4, cube8, box8, uv_sphere386 and sphereN with N = 4 k^2 + 2 "
+        "unknown shape '{}'{} known: tetra4, cube8, box8, uv_sphere386, sphereN and ellipsoidN with N = 4 k^2 + 2 "
         "or 6 k^2 + 2 (sphere6, sphere8, sphere18, sphere26, sphere38 ... sphere386 ...)",
         name, did_you_mean(name, known)));
 }

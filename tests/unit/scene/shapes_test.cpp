@@ -4,8 +4,9 @@
 // fail.
 #include "edgewise/scene/shapes.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -83,6 +84,21 @@ TEST_P(Shape, IsExactInSinglePrecisionAtEverySizeClass) {
                 ASSERT_EQ(static_cast<double>(static_cast<float>(v[axis])), v[axis]);
         }
     }
+}
+
+TEST(Shapes, AnEllipsoidIsItsSphereWithUnequalAxes) {
+    for (const std::string count : {"38", "386"}) {
+        const Result<Polyhedron> body = make_shape("ellipsoid" + count),
+                                 sphere = make_shape("sphere" + count);
+        ASSERT_TRUE(body) << body.error;
+        EXPECT_THAT(check_polyhedron(*body), testing::IsEmpty());
+        ASSERT_EQ(body->vertex_count(), sphere->vertex_count());
+        std::set<std::array<double, 3>> of_body, of_sphere;
+        for (const Vec3d& v : body->vertices) of_body.insert({v.x(), 2 * v.y(), 4 * v.z()});
+        for (const Vec3d& v : sphere->vertices) of_sphere.insert({v.x(), v.y(), v.z()});
+        EXPECT_EQ(of_body, of_sphere);
+    }
+    EXPECT_THAT(make_shape("ellipsoid40").error, testing::HasSubstr("ellipsoid38 and ellipsoid56"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Shape, ::testing::ValuesIn(known_counts),

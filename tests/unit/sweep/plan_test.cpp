@@ -157,7 +157,7 @@ TEST(Plan, QuickAsksEveryContenderInEveryConditionOfTheContest) {
 TEST(Plan, PeersAreAskedNearContactAndOnBoxesWithUnequalSides) {
     const Plan peers = make_plan("peers");
     EXPECT_THAT(conditions_of(peers), IsSupersetOf(near_contact));
-    EXPECT_THAT(peers.shapes, IsSupersetOf({"cube8", "box8"}));
+    EXPECT_THAT(peers.shapes, IsSupersetOf({"cube8", "box8", "sphere38", "ellipsoid38"}));
 }
 
 struct PaperScene {
