@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_answers [--some] [--answers] FILE | --update FILE | --details
+// golden_answers [--some] [--answers] FILE | --update FILE | --details | --questions FILE
 //
 // One hash of all answers of each table type x algorithm to a fixed, seeded set of queries: every scene,
 // small and large bodies; status, distance, witness points, steps, fallbacks and refinements, bit by bit. One
@@ -9,9 +9,12 @@
 // read, and the file has g++'s traces. A difference means that a change moved some bits. If a change is
 // meant,
 // --update and commit the file with it. --some: this program has only some layouts, and rows of other layouts
-// in the file do not count. --answers: traces do not count.
+// in the file do not count. --answers: traces do not count. --questions: writes the queries to the file, as
+// numbers, for processors/answers.hpp.
 #include <fmt/core.h>
 
+#include <bit>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -116,8 +119,9 @@ void add_traces(Prints& prints) {
     }
 }
 
-Prints all_prints(bool details) {
-    Prints prints;
+/// Calls use(scene, shape, workload) for each.
+template <class Use>
+void for_all_workloads(const Use& use) {
     for (const scene::SceneInfo& scene : scene::list_scenes()) {
         // The questions of tumble, to more tables and closer by; those of cold, at other gaps.
         if (scene.name == "pressure" || scene.name == "proximity" || scene.name == "gap") continue;
@@ -127,15 +131,72 @@ Prints all_prints(bool details) {
             if (!body) throw std::runtime_error(body.error);
             const sweep::SharedQueries queries(golden_plan(), {scene.name, {}},
                                                {shape, "built-in", std::move(*body), ""});
-            const std::string detail = details ? fmt::format(" {} {}", scene.name, shape) : "";
-            add(prints["queries " + scene.name + (details ? fmt::format(" {}", shape) : "")],
-                queries.workload());
-            add_answers(prints, queries.workload(), detail);
+            use(scene.name, shape, queries.workload());
         }
     }
+}
+
+Prints all_prints(bool details) {
+    Prints prints;
+    for_all_workloads([&](const std::string& scene, const char* shape, const scene::Workload& workload) {
+        const std::string detail = details ? fmt::format(" {} {}", scene, shape) : "";
+        add(prints["queries " + scene + (details ? fmt::format(" {}", shape) : "")], workload);
+        add_answers(prints, workload, detail);
+    });
     add_traces(prints);
     return prints;
 }
+
+/// Writes whole numbers, one a line; doubles as their bits.
+class NumberFile {
+  public:
+    explicit NumberFile(const std::string& file) : file_(file) {}
+
+    void write(std::uint64_t number) { file_ << number << '\n'; }
+    void write(double number) { write(std::bit_cast<std::uint64_t>(number)); }
+    void write(const Vec3d& v) {
+        for (int i = 0; i < 3; ++i) write(v[i]);
+    }
+    template <class Number>
+    void write(const std::vector<Number>& numbers) {
+        write(std::uint64_t{numbers.size()});
+        for (const Number& number : numbers) write(number);
+    }
+    void write(Index number) { write(std::uint64_t{number}); }
+    void write(const PolyhedronEdge& edge) {
+        for (const Index end : {edge.tail, edge.head, edge.left, edge.right}) write(end);
+    }
+    void write(const Plane<double>& plane) {
+        write(plane.normal);
+        write(plane.offset);
+    }
+    void write(const Polyhedron& body) {
+        write(body.vertices);
+        write(body.edges);
+        write(body.face_planes);
+        for (const auto* list :
+             {&body.input_index, &body.face_offset, &body.face_ring, &body.vertex_offset, &body.vertex_ring})
+            write(*list);
+    }
+    void write(const Pose& pose) {
+        for (int row = 0; row < 3; ++row) write(Vec3d(pose.rotation.row(row)));
+        write(pose.translation);
+    }
+    void write(const scene::Query& query) {
+        for (const std::uint32_t number : {query.body_a, query.body_b, query.pair}) write(number);
+        write(query.pose_a);
+        write(query.pose_b);
+    }
+    void write(const scene::Workload& workload) {
+        write(std::uint64_t{workload.warm});
+        write(std::uint64_t{workload.pair_count});
+        write(workload.bodies);
+        write(workload.queries);
+    }
+
+  private:
+    std::ofstream file_;
+};
 
 golden::Rows rows_of(const Prints& prints) {
     golden::Rows rows;
@@ -151,13 +212,18 @@ int main(int count, char** values) {
     std::vector<std::string> arguments(values + 1, values + count);
     const bool answers = std::erase(arguments, "--answers") > 0;
     const golden::Program program{"golden_answers",
-                                  "[--some] [--answers] FILE | --update FILE | --details",
+                                  "[--some] [--answers] FILE | --update FILE | --details | --questions FILE",
                                   "hashes differ",
                                   1,
                                   [] { return rows_of(all_prints(false)); },
                                   0,
                                   answers ? "trace " : ""};
     return golden::run_or_say_why(program, [&] {
+        if (arguments.size() == 2 && arguments[0] == "--questions") {
+            NumberFile file(arguments[1]);
+            for_all_workloads([&](const auto&, const char*, const auto& workload) { file.write(workload); });
+            return 0;
+        }
         if (arguments != std::vector<std::string>{"--details"}) return golden::run(program, arguments);
         golden::write_rows(stdout, rows_of(all_prints(true)));
         return 0;
