@@ -18,7 +18,7 @@ target_include_directories(edgewise_library PUBLIC
 target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r $<BUILD_INTERFACE:edgewise_flags>)
 # Mutants (tests/mutation) replace the first file. The second has registers wider than the machine's, which are only arguments
 # of inlined functions; without errno it takes the roots of all lanes at once.
-edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp src/edgewise/algorithms/lanes/lane_width.cpp)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/lanes/lane_width.cpp PROPERTIES
+edgewise_unite(edgewise_library src/edgewise/geometry/strictly_convex.cpp src/edgewise/algorithms/search/single_search.cpp)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/search/single_search.cpp PROPERTIES
     COMPILE_OPTIONS "-Wno-psabi;-fno-math-errno" SKIP_PRECOMPILE_HEADERS ON)
 edgewise_precompile(edgewise_library <Eigen/Core> <algorithm> <functional> <string> <vector>)

@@ -72,6 +72,7 @@ class SubsetWatch {
     SubsetWatch(AlgorithmWork& work, std::uint32_t cached)
         : work_(work), points_(std::max(1, static_cast<int>(cached))), is_first_(true) {}
 
+    static void search() {}
     void iterate(PointMask members) {
         ++work_.sub_distances;
         ++work_.accepted[static_cast<std::size_t>(std::popcount(members)) - 1];
@@ -83,8 +84,7 @@ class SubsetWatch {
     }
 
   private:
-    /// How far Johnson's search would go, which asks the whole last; GJK reads the signs of all cofactors at
-    /// once (algorithms/cofactors.hpp).
+    /// How far Johnson's search goes, which asks the whole last.
     [[nodiscard]] std::uint64_t tried_until(PointMask members) const {
         std::uint64_t tried = 0;
         for (const PointMask mask : ascending_subsets) {
@@ -126,7 +126,8 @@ class GjkWatch {
         const Pair before = pair;
         const ClimbCounts counts_before = counts_;
         SubsetWatch subsets(work_, before.count());
-        static_cast<void>(Gjk::query(a, b, relative_pose(query.pose_a, query.pose_b), pair, {}, subsets));
+        static_cast<void>(Gjk::query(a, b, relative_pose(query.pose_a, query.pose_b), pair,
+                                     {.sub_distance = SubDistanceSolver::johnson}, subsets));
         ++work_.queries;
         book_climbs(counts_before, std::max(1U, before.count()));
         if (before.count() == 0) return;

@@ -222,7 +222,6 @@ std::vector<FigureColumn> spent_columns(const std::vector<std::string>& machines
                                  {"of its object", "bytes.object_bytes"},
                                  {"of a pair", "bytes.pair_bytes"},
                                  {"steps", "effort.steps"},
-                                 {"supports", "effort.supports"},
                                  {"vertices read", "effort.vertices_read"},
                                  {"lines read", "effort.lines_read"},
                                  {"instructions per step", "effort.instructions_per_step"},

@@ -44,6 +44,13 @@ edgewise_mutant(upper_proof_is_skipped algorithms/subset.hpp [[return norm(weigh
     ReachesClosest.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(lower_proof_is_skipped algorithms/kept_simplex.hpp [[return length - below <= std::max(Tolerance<Number>::open_gap * size_, open);]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
+set(search ${unit}/algorithms/single_search_test.cpp ${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/search/single_search.cpp)
+edgewise_mutant(search_is_believed algorithms/gjk.hpp [[if (!kept.rests_on_all() || !kept.is_proven(options_)) return false;]]
+    [[if (!kept.rests_on_all()) return false;]] GjkNearContact.* ${unit}/algorithms/near_contact_test.cpp)
+edgewise_mutant(search_leaves_the_origin algorithms/search/sides.hpp [[r = -s;]] [[r = s;]] SingleSearch.* ${search})
+edgewise_mutant(search_takes_the_wrong_face algorithms/search/sides.hpp [[l = next_s * h - s * next_g;]] [[l = next_s * h + s * next_g;]]
+    SingleSearch.* ${search})
+edgewise_mutant(search_keeps_no_faces algorithms/search/sides.hpp [[return face | last(face) | edge;]] [[return face | edge;]] SingleSearch.* ${search})
 edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]

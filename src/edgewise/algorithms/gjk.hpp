@@ -7,8 +7,10 @@
 // the start of the next query. Departures: everything runs in A's frame with a relative pose; termination is
 // relative (the duality gap against the rounding noise of the support products) where Cameron's is an
 // absolute 1e-8 on the squared distance; a repeated support point ends the run, as does a step that gains
-// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). A run that starts from the last
-// answer first tries to prove it (kept_simplex.hpp). gjk_start.hpp says where a run starts.
+// nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). Small bodies: a run that starts
+// from the last answer first tries to prove it (kept_simplex.hpp); one that starts anew searches in single
+// precision (search/single_search.hpp) and tries to prove what it finds. gjk_start.hpp says where other runs
+// start.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "edgewise/algorithms/answerable.hpp"
@@ -24,6 +27,7 @@
 #include "edgewise/algorithms/kept_simplex.hpp"
 #include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/algorithms/search/single_search.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
 #include "edgewise/algorithms/sub_distance.hpp"
 #include "edgewise/algorithms/subset.hpp"
@@ -39,8 +43,9 @@ namespace edgewise {
 /// Weights on a thin triangle are less accurate than its foot: the difference of the witnesses of separated
 /// bodies from it is shared out, so that they are separated by the reported distance.
 template <class Points, class Scalar>
-[[nodiscard]] Distance gjk_answer(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
-                                  Status status, int steps) {
+[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Distance gjk_answer(const Points& simplex,
+                                                         const ClosestOfSimplex<Scalar>& closest,
+                                                         Status status, int steps) {
     Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
     for (int i = 0; i < simplex.count; ++i) {
         on_a += closest.weight[i] * simplex.on_a(i);
@@ -81,10 +86,32 @@ class GjkRun : GjkStart<TableA, TableB> {
 
     template <class Observer = NoObserver>
     [[nodiscard]] Distance run(Pair& pair, Observer&& observer = {}) {
-        if (Distance kept; answer_from_last(pair, kept, observer)) return kept;
+        if (options_.sub_distance == SubDistanceSolver::cofactors && is_small(a_) && is_small(b_)) {
+            Distance found;
+            if (answer_from_last(pair, found, observer)) return found;
+            if (!starts_near_ && answer_from_search(pair, found, observer)) return found;
+        }
+        return iterate(pair, observer);
+    }
+
+    /// The run of a cold pair from where a search in singles ended.
+    [[nodiscard]] Distance run_from(const SingleSearchEnd& end, Pair& pair) {
+        if (Distance found; answer_from(end, pair, found)) return found;
+        return iterate(pair, NoObserver());
+    }
+
+  private:
+    using Base::a_;
+    using Base::a_from_b_;
+    using Base::b_;
+    using Base::is_cold_;
+    using Base::sub_;
+
+    template <class Observer>
+    [[nodiscard]] Distance iterate(Pair& pair, Observer&& observer) {
         this->start(pair);
         while (steps_ < most_gjk_iterations) {
-            if (++steps_ > told_steps_) observer.iterate(sub_.closest().members);
+            if (++steps_ > observed_steps_) observer.iterate(sub_.closest().members);
             if (sub_.simplex().count == 4) return finish(pair, Status::overlapping);
             const Scalar squared = squared_norm(sub_.closest().point);
             if (squared > contact_squared_ && advance(squared)) continue;
@@ -98,32 +125,59 @@ class GjkRun : GjkStart<TableA, TableB> {
         return {.steps = steps_};
     }
 
-  private:
-    using Base::a_;
-    using Base::a_from_b_;
-    using Base::b_;
-    using Base::is_cold_;
-    using Base::sub_;
-
     /// Answers from the last query's simplex, in doubles, if that provably holds the closest points still.
     /// Tried on small bodies: on large ones it fails too often for its climbs. The paper's algorithm
     /// (Johnson's search) does without.
     template <class Observer>
     [[nodiscard]] bool answer_from_last(Pair& pair, Distance& answer, Observer& observer) {
+        if (!pair.starts_warm(a_, b_)) return false;
+        starts_near_ = true;
         const std::uint32_t count = pair.count();
-        const bool tries = options_.sub_distance == SubDistanceSolver::cofactors && count < 4 &&
-                           is_small(a_) && is_small(b_) && pair.starts_warm(a_, b_);
-        if (!tries) return false;
+        if (count == 4) return false;
         KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
         for (std::uint32_t i = 0; i < count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
-        const bool rests =
-            kept.rests_on_all() && !is_farther(kept.squared_distance(), double{pair.distance()}, kept.size());
-        if (!rests) return false;
+        const bool rests = kept.rests_on_all();
+        starts_near_ = kept.least_weight() >= -far_off_weight &&
+                       !is_farther(kept.squared_distance(), double{pair.distance()}, kept.size());
+        if (!rests || !starts_near_) return false;
         observer.iterate(kept.closest().members);
-        told_steps_ = 1;
+        observed_steps_ = 1;
         if (!kept.is_proven(options_)) return false;
         answer = gjk_answer(kept, kept.closest(), Status::separated, 1);
         pair.set_distance(answer.distance);
+        return true;
+    }
+
+    /// Searches in singles for where to start, and answers from there.
+    template <class Observer>
+    [[nodiscard]] [[gnu::noinline]] EDGEWISE_IN_QUERY_LOOP bool answer_from_search(Pair& pair,
+                                                                                   Distance& answer,
+                                                                                   Observer& observer) {
+        if constexpr (NumberedTable<TableA> && NumberedTable<TableB>) {
+            observer.search();
+            SingleSearch search;
+            write_search(a_, b_, a_from_b_, options_.verdict_only, search);
+            return answer_from(run_single_search(search), pair, answer);
+        }
+        return false;
+    }
+
+    /// Answers from where a search ended, if that is proven; else the run starts there.
+    [[nodiscard]] bool answer_from(const SingleSearchEnd& end, Pair& pair, Distance& answer) {
+        steps_ = observed_steps_ = end.steps;
+        pair.hold(a_, b_, end, std::numeric_limits<double>::infinity());
+        if (end.count == 4) return false;
+        KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
+        for (std::uint32_t i = 0; i < pair.count(); ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
+        if (!answer_if_proven(kept, answer)) return false;
+        pair.set_distance(answer.distance);
+        return true;
+    }
+
+    template <class Kept>
+    [[nodiscard]] bool answer_if_proven(Kept& kept, Distance& answer) const {
+        if (!kept.rests_on_all() || !kept.is_proven(options_)) return false;
+        answer = gjk_answer(kept, kept.closest(), Status::separated, steps_);
         return true;
     }
 
@@ -163,8 +217,7 @@ class GjkRun : GjkStart<TableA, TableB> {
         const auto& simplex = sub_.simplex();
         return ask_kept_simplex(a_, b_, a_from_b_, [&](auto& kept) {
             for (int i = 0; i < simplex.count; ++i) kept.push(simplex.vertex_a(i), simplex.vertex_b(i));
-            if (!kept.rests_on_all() || !kept.is_proven(options_)) return false;
-            answer = gjk_answer(kept, kept.closest(), Status::separated, steps_);
+            if (!answer_if_proven(kept, answer)) return false;
             pair.hold(a_, b_, simplex, answer.distance);
             return true;
         });
@@ -186,9 +239,10 @@ class GjkRun : GjkStart<TableA, TableB> {
     Scalar contact_squared_, gap_;
     QueryOptions options_;
     Scalar reach_ = 0;  ///< <v, w>: how far along v the whole difference is known to lie, times |v|
-    int steps_ = 0, told_steps_ = 0;  ///< told: to the observer, before the loop
-    bool separates_ = false;          ///< true if a direction separates by more than rounding
-    bool is_decided_ = false;         ///< true if the last support point leaves nothing to gain
+    int steps_ = 0, observed_steps_ = 0;  ///< observed: reported before the loop
+    bool starts_near_ = false;            ///< true if the pair's simplex may hold the closest points still
+    bool separates_ = false;              ///< true if a direction separates by more than rounding
+    bool is_decided_ = false;             ///< true if the last support point leaves nothing to gain
 };
 
 /// One run with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table
@@ -200,6 +254,26 @@ template <SupportTable TableA, SupportTable TableB>
                                                    SimplexPair<TableA, TableB>& pair,
                                                    const QueryOptions& options) {
     return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair);
+}
+
+/// The same run for an observer. Not inlined either: the straight-line vectoriser of g++ 12 would join the
+/// pose's cast to single with that back to double, and drop both (geometry/hull.hpp).
+template <SupportTable TableA, SupportTable TableB, class Observer>
+[[nodiscard]] [[gnu::noinline]] Distance run_observed_gjk(const TableA& a, const TableB& b,
+                                                          const Transform<ComputeOf<TableA>>& a_from_b,
+                                                          SimplexPair<TableA, TableB>& pair,
+                                                          const QueryOptions& options, Observer& observer) {
+    return GjkRun<TableA, TableB>(a, b, a_from_b, options).run(pair, observer);
+}
+
+/// The same from where a search in singles ended.
+template <SupportTable TableA, SupportTable TableB>
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run_gjk_from(const SingleSearchEnd& end, const TableA& a,
+                                                        const TableB& b,
+                                                        const Transform<ComputeOf<TableA>>& a_from_b,
+                                                        SimplexPair<TableA, TableB>& pair,
+                                                        const QueryOptions& options) {
+    return GjkRun<TableA, TableB>(a, b, a_from_b, options).run_from(end, pair);
 }
 
 /// The algorithm as the sweep and users call it.
@@ -231,7 +305,7 @@ struct Gjk {
             return {};
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
         if constexpr (is_looked_at<TableA, Observer>) {
-            return within(options, GjkRun<TableA, TableB>(a, b, transform, options).run(pair, observer));
+            return within(options, run_observed_gjk(a, b, transform, pair, options, observer));
         } else {
             return within(options, run_gjk(a, b, transform, pair, options));
         }

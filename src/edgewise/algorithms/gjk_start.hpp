@@ -27,6 +27,11 @@ inline constexpr double far_off_simplex = 0.5;
 /// 0.03 of the time to any pose; at 1 rad less is better.
 inline constexpr double moved_far_of_distance = 1.1, moved_far_of_size = 0.125;
 
+/// A last simplex whose closest point lies outside it by more than this share of its sides is far off: time
+/// over searching from it, 1 rad per step, 8 / 38 vertices, f64: 0.92 / 0.81, with 1 instead 0.99 / 0.87; at
+/// 0.1 rad either 1.02 / 1.03 (Xeon with AVX-512, other load).
+inline constexpr double far_off_weight = 0.3;
+
 /// Returns true if a last simplex at this squared distance, with coordinates up to `size`, is far off: the
 /// bodies have moved far since the last query ended at distance `before`.
 template <class Scalar>

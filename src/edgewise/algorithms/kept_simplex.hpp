@@ -39,8 +39,14 @@ class KeptSimplex {
     /// Points of A and B, both in A's frame.
     [[nodiscard]] const Vec3<Number>& on_a(int i) const { return on_a_[i]; }
     [[nodiscard]] const Vec3<Number>& on_b(int i) const { return on_b_[i]; }
-    /// Of rests_on_all(), if that is true.
+    /// The point that rests_on_all() computed; its weights are those of the points.
     [[nodiscard]] const ClosestOfSimplex<Number>& closest() const { return closest_; }
+    /// Least weight of the points; less than 0 where the closest point lies outside the simplex.
+    [[nodiscard]] Number least_weight() const {
+        Number least = 1;
+        for (int i = 0; i < count; ++i) least = std::min(least, closest_.weight[i]);
+        return least;
+    }
     [[nodiscard]] Number squared_distance() const { return squared_norm(closest_.point); }
     /// Longest coordinate of the points: rounding is relative to it.
     [[nodiscard]] Number size() const { return size_; }

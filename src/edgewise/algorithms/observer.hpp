@@ -17,6 +17,8 @@ struct NoObserver {
     static void visit(FeatureKind, FeatureKind) {}
     /// V-Clip: its answer is not trusted, GJK answers next.
     static void ask_gjk() {}
+    /// GJK: next comes a search in singles, which reads all vertices once.
+    static void search() {}
     /// GJK: next comes an iteration, on the accepted members (bit i: point i) of the last simplex.
     static void iterate(std::uint8_t /*members*/) {}
 };

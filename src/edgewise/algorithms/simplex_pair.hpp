@@ -148,8 +148,9 @@ class SimplexPair {
     void hold(const TableA& a, const TableB& b, const Points& simplex, double distance) {
         bool all_fit = true;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
-            const Corner corner = {simplex.vertex_a(static_cast<int>(i)),
-                                   simplex.vertex_b(static_cast<int>(i))};
+            const Corner corner = {
+                static_cast<typename TableA::Vertex>(simplex.vertex_a(static_cast<int>(i))),
+                static_cast<typename TableB::Vertex>(simplex.vertex_b(static_cast<int>(i)))};
             all_fit = all_fit && Corners::fits(corner);
             if (all_fit) corners_.set(i, corner);
         }

@@ -56,7 +56,7 @@ concept CountedTable = ClimbingTable<Table> && requires {
 /// Vertices below which a linear scan is used, from a warm start. By packs, time of scanning over time of
 /// climbing, GJK at 0.01 / 1 rad per step, a Zen 3 with AVX2: lean_f64 0.86 / 0.88 at 8 vertices, 0.91 / 0.92
 /// at 26, 0.97 / 0.94 at 38, 1.01 / 0.95 at 56; aos_f64 0.88 / 0.91, 0.93 / 0.95, 1.0 / 0.97, 1.03 / 0.98;
-/// singles the same. So bodies that fit a batch's lanes (lanes/lane_source.hpp), which scan, are scanned. One
+/// singles the same. So bodies that a search in singles scans (search/single_search.hpp) are scanned. One
 /// by one, as a list makes it, climbing took 0.89 of scanning at 8 vertices and 0.67 at 38, on a Zen 5.
 inline constexpr std::size_t most_scanned = 64;
 template <class Table>

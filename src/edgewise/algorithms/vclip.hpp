@@ -175,6 +175,12 @@ template <class TableA, class TableB>
     return walk(a, b, nobody, true);
 }
 
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] [[gnu::noinline]] Distance run_observed(Body<TableA>& a, Body<TableB>& b, Observer& observer,
+                                                      bool hardened) {
+    return walk(a, b, observer, hardened);
+}
+
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
@@ -227,7 +233,7 @@ struct VClip {
         }
         return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b) {
             if constexpr (is_looked_at<TableA, Observer>)
-                return vclip::walk(body_a, body_b, observer, options.hardened);
+                return vclip::run_observed(body_a, body_b, observer, options.hardened);
             else if (!options.hardened) [[unlikely]]
                 return vclip::run_raw(body_a, body_b);
             else

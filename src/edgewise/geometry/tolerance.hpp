@@ -90,9 +90,9 @@ struct Tolerance {
     /// since the square of the distance must not overflow: 2^510 in double (3e153), 2^62 in single (5e18).
     static constexpr Scalar largest_offset = eps < Scalar(1e-10) ? Scalar(0x1p510) : Scalar(0x1p62);
 
-    /// Relative to max|w|: a closest point nearer to the origin than this is an answer of GJK only with a
-    /// proof from both sides, else it is computed again in the next wider arithmetic; V-Clip's answer on
-    /// slippery features is computed again by GJK. Its direction is off by the rounding of the points over
+    /// Relative to max|w|: a closest point nearer to the origin than this is computed in the next wider
+    /// arithmetic once an answer without it was not proven; V-Clip's answer on slippery features is computed
+    /// again by GJK. Its direction is off by the rounding of the points over
     /// their distance from the origin, and the distance by that times the size: beyond a thousandth of the
     /// size in double, 1/16 in single, neither exceeds what a query may err (verified_error).
     static constexpr Scalar close = eps < Scalar(1e-10) ? Scalar(0x1p-10) : Scalar(0x1p-4);

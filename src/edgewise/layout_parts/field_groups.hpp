@@ -42,7 +42,6 @@ class FieldGroups {
         for (const std::uint8_t field : group) fields_[count_++] = field;
     }
 
-    [[nodiscard]] std::size_t field_count() const { return count_; }
     /// Calls use(group) for each group, a span of field numbers.
     template <class Use>
     void for_each(Use use) const {

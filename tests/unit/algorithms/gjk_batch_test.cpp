@@ -27,7 +27,7 @@ TYPED_TEST_SUITE(GjkBatches, Tables);
 /// One frame after the other, from cold on, with both ways side by side.
 template <class Table>
 void expect_same_frames(const QueryOptions& options, LaneWidth width) {
-    constexpr std::size_t count = 3000;
+    constexpr std::size_t count = 4000;
     PairCrowd<Table> crowd(count);
     std::size_t in_lanes = 0, singly = 0, different = 0;
     for (const double step : {0.0, 0.001, 0.01, 0.1, 1.0}) {
@@ -103,7 +103,7 @@ TEST(GjkBatch, NeedsNoLanes) {
 
 /// Handles that are addresses: one query after the other.
 TEST(GjkBatch, TakesTablesThatFitNoLane) {
-    static_assert(!LaneTable<linked<f64>>);
+    static_assert(!NumberedTable<linked<f64>>);
     PairCrowd<linked<f64>> crowd(500);
     expect_same_answers(crowd);
 }

@@ -99,7 +99,8 @@ TEST_P(TraceScene, BooksTheRightSteps) {
 
 INSTANTIATE_TEST_SUITE_P(Of, TraceScene,
                          testing::Values(std::pair{"aos_f64", "vclip"}, std::pair{"aos_f64", "gjk"},
-                                         std::pair{"lean_f64", "vclip"}, std::pair{"quantised_f32", "gjk"}),
+                                         std::pair{"lean_f64", "vclip"}, std::pair{"aos_f32", "vclip"},
+                                         std::pair{"quantised_f32", "gjk"}),
                          [](const auto& of) { return std::string(of.param.first) + "_" + of.param.second; });
 
 TEST(TraceSceneFigures, AreThereForEveryMachineOrSayWhyNot) {

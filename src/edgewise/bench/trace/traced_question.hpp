@@ -24,6 +24,7 @@ struct StepMarks {
 
     void visit(FeatureKind kind_a, FeatureKind kind_b) const { set(step_of(kind_a, kind_b)); }
     void ask_gjk() const { set(TraceStep::settle); }
+    void search() const { set(TraceStep::gjk_iteration); }
     void iterate(std::uint8_t /*members*/) const { set(TraceStep::gjk_iteration); }
     void set(TraceStep step) const {
         a.set_step(static_cast<std::uint8_t>(step));

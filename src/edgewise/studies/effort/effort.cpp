@@ -10,13 +10,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/bench/build_info.hpp"
-#include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/measure/process/child_process.hpp"
@@ -195,37 +193,21 @@ using Counts = measure::Expected<measure::CallgrindCounts>;
 
 class ReadCounter final : public measure::TraceListener {
   public:
-    /// `warm`: pairs keep their cache, so that a query that does not count started cold; else all do.
-    explicit ReadCounter(bool warm) : warm_(warm) {}
-
     void on_access(const measure::TracedAccess& access) override {
         lines_.on_access(access);
         if (access.side == measure::TraceSide::scene) return;
         if (access.field == static_cast<std::uint8_t>(Field::vertex)) vertex_bytes_ += access.bytes;
-        const bool iterates = access.step == static_cast<std::uint8_t>(bench::TraceStep::gjk_iteration);
-        if (!iterates) return;
-        supports_ += last_side_ != access.side;
-        last_side_ = access.side;
     }
 
-    void on_query_end(bool counts) override {
-        lines_.on_query_end(true);
-        if (!warm_ || !counts) supports_ += 2;
-        last_side_.reset();
-    }
+    void on_query_end(bool /*counts*/) override { lines_.on_query_end(true); }
 
     /// Sums over the queries.
     [[nodiscard]] std::uint64_t vertex_bytes() const { return vertex_bytes_; }
     [[nodiscard]] std::uint64_t lines() const { return lines_.sums().all.lines; }
-    /// Returns GJK's support searches: its iterations seek points on A and on B in turn, so each change of
-    /// side is a search; a cold query starts at a point of each.
-    [[nodiscard]] std::uint64_t supports() const { return supports_; }
 
   private:
-    bool warm_;
     measure::LineCounter lines_;
-    std::uint64_t vertex_bytes_ = 0, supports_ = 0;
-    std::optional<measure::TraceSide> last_side_;
+    std::uint64_t vertex_bytes_ = 0;
 };
 
 /// Returns the bytes of a vertex's coordinates; a lossy layout has no simple number, so its ledger decides.
@@ -239,18 +221,14 @@ double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
 
 void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) {
     if (effort.is_peer) {
-        effort.supports = effort.vertices_read = effort.lines_read =
-            Count::none("the reads of a library cannot be counted from outside");
+        effort.vertices_read = effort.lines_read = Count::none("the reads of a library cannot be counted from outside");
         return;
     }
-    ReadCounter counter(cell.workload().warm);
+    ReadCounter counter;
     cell.runner().trace(bench::TraceExtent::everything(), counter);
     const auto queries = static_cast<double>(cell.workload().queries.size());
     effort.vertices_read = {static_cast<double>(counter.vertex_bytes()) / bytes_of_vertex / queries};
     effort.lines_read = {static_cast<double>(counter.lines()) / queries};
-    effort.supports = effort.algorithm == "gjk"
-                          ? Count{static_cast<double>(counter.supports()) / queries}
-                          : Count::none("V-Clip seeks no support points: its steps are features");
 }
 
 }  // namespace

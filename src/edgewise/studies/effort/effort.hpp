@@ -108,7 +108,7 @@ struct Effort {
     double table_bytes = 0, object_bytes = 0, pair_bytes = 0;  ///< of one shape's table, and of a pair
     bench::PassSum passed;                                     ///< what one pass of the queries gives
     measure::Expected<measure::CallgrindCounts> counted = measure::Refusal{"not counted yet"};
-    measure::Expected<double> steps, supports, vertices_read, lines_read;
+    measure::Expected<double> steps, vertices_read, lines_read;
     measure::Expected<ProofFloor> floor;
 };
 

@@ -108,7 +108,6 @@ std::vector<store::FigureRow> effort_figures(const Effort& effort, const std::st
     add(d1.of(machine), part_of(effort.counted, &measure::CallgrindCounts::d1_misses));
     add(ll.of(machine), part_of(effort.counted, &measure::CallgrindCounts::ll_misses));
     add("effort.steps", effort.steps);
-    add("effort.supports", effort.supports);
     add("effort.vertices_read", effort.vertices_read);
     add("effort.lines_read", effort.lines_read);
     add("effort.instructions_per_step", over(instructions, effort.steps));

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+//
+// The search of single_search.cpp for several pairs side by side, one per lane, without a branch on which
+// lanes could disagree. When its search ends, a lane takes the next one, so that none waits for another.
+// Every result is that of a single search.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "edgewise/algorithms/search/lane_vector.hpp"
+#include "edgewise/algorithms/search/sides.hpp"
+#include "edgewise/algorithms/search/single_search.hpp"
+#include "edgewise/table/small_array.hpp"
+
+namespace edgewise {
+
+/// A search that takes more has lost its way in rounding.
+inline constexpr int most_search_steps = 32;
+/// Duality gap, times |v| and the farthest coordinate, that rounding to singles leaves open; and how many of
+/// these a reach must exceed for a verdict.
+inline constexpr float search_gap = 0x1.4p-21F, clear_gaps = 16;
+
+/// Takes B's vertices to A's frame, a row of `size` at a time.
+template <int size>
+[[gnu::always_inline]] inline void move_to_a(const SingleSearch& of, SingleVertices& to) {
+    using Row = Numbers<float, size>;
+    const auto row = [](auto& numbers, std::size_t i) __attribute__((always_inline))->Row& {
+        return *reinterpret_cast<Row*>(const_cast<float*>(&numbers[i]));
+    };
+    const auto& m = of.rotation;
+    const auto& t = of.translation;
+    to.count = of.b.count;
+    for (std::size_t i = 0; i < of.b.count; i += size) {
+        const Row x = row(of.b.x, i), y = row(of.b.y, i), z = row(of.b.z, i);
+        row(to.x, i) = m(0, 0) * x + m(0, 1) * y + m(0, 2) * z + t.x();
+        row(to.y, i) = m(1, 0) * x + m(1, 1) * y + m(1, 2) * z + t.y();
+        row(to.z, i) = m(2, 0) * x + m(2, 1) * y + m(2, 2) * z + t.z();
+    }
+}
+
+/// The vertices of one body per lane. A lane with fewer vertices than another repeats its first vertex: a
+/// repeated vertex never comes first of equals.
+template <int n>
+class LaneBodies {
+  public:
+    using Vector = LaneVec<float, n>;
+
+    struct Farthest {
+        Masks<float, n> vertex;
+        Vector point;
+    };
+
+    void write(int lane, const SingleVertices& from) {
+        const int count = static_cast<int>(from.count);
+        for (; used_ < count; ++used_) vertices_[used_] = vertices_[0];
+        for (int i = 0; i < used_; ++i) {
+            const auto k = static_cast<std::size_t>(i < count ? i : 0);
+            vertices_[i].set(lane, from.x[k], from.y[k], from.z[k]);
+        }
+    }
+
+    /// The first of the vertices farthest along each lane's direction.
+    [[nodiscard, gnu::always_inline]] Farthest farthest(const Vector& direction) const {
+        Numbers<float, n> most = dot(vertices_[0], direction);
+        Masks<float, n> vertex{}, place{};
+        for (int i = 1; i < used_; ++i) {
+            const Numbers<float, n> along = dot(vertices_[i], direction);
+            const Masks<float, n> higher = along > most;
+            place = place + 1;
+            most = higher ? along : most;
+            vertex = higher ? place : vertex;
+        }
+        return {vertex, at(vertex)};
+    }
+
+  private:
+    /// Each lane's vertex of this number, read once at the end: to carry it along costs a third of a scan.
+    [[nodiscard, gnu::always_inline]] Vector at(const Masks<float, n>& vertex) const {
+        Vector point;
+#pragma GCC unroll 8
+        for (int lane = 0; lane < n; ++lane) {
+            const Vector& from = vertices_[static_cast<int>(vertex[lane])];
+            point.set(lane, from.x[lane], from.y[lane], from.z[lane]);
+        }
+        return point;
+    }
+
+    SmallArray<Vector, int{SingleVertices::most}> vertices_{};
+    int used_ = 1;  ///< most vertices that any lane had
+};
+
+template <int n>
+class LaneSearch {
+  public:
+    using Number = Numbers<float, n>;
+    using Mask = Masks<float, n>;
+    using Vector = LaneVec<float, n>;
+
+    explicit LaneSearch(SearchSource& source) : source_(source) {}
+
+    /// Runs all searches of the source.
+    [[gnu::always_inline]] void run() {
+        for (int lane = 0; lane < n; ++lane) load(lane);
+        while (any_lane(is_active_)) iterate();
+    }
+
+  private:
+    /// Adds one support point in every lane.
+    [[gnu::always_inline]] void iterate() {
+        const auto a = a_.farthest(-v_), b = b_.farthest(v_);
+        const Vector p = a.point - b.point;
+        const Mask pair = a.vertex << 8 | b.vertex;
+        const Mask ended = ends(p, pair);
+        const Sides<Three<Number>> sides({same(p.x), same(p.y), same(p.z)}, older(), held_);
+        const Mask surrounded =
+            sides.inside.of[0] & sides.inside.of[1] & sides.inside.of[2] & ~ended & ~starts_;
+        const Mask done = is_active_ & (ended | surrounded);
+        if (any_lane(done)) hand_over(done, surrounded, pair);
+        rest_on(sides, p, is_active_ & ~starts_ & ~done);
+        insert(p, pair);
+        extent_ = select(starts_, max_abs(b.point), extent_);
+        steps_ += 1;
+        starts_ = Mask{};
+        if (!any_lane(done)) return;
+        for (int lane = 0; lane < n; ++lane)
+            if (done[lane]) load(lane);
+    }
+
+    [[nodiscard, gnu::always_inline]] static Three<Number> same(const Number& of) { return {{of, of, of}}; }
+    [[nodiscard, gnu::always_inline]] OfOlder<Three<Number>> older() const {
+        return {{{q_[0].x, q_[1].x, q_[2].x}}, {{q_[0].y, q_[1].y, q_[2].y}}, {{q_[0].z, q_[1].z, q_[2].z}}};
+    }
+
+    /// Mask of the lanes that have nothing left to gain.
+    [[nodiscard, gnu::always_inline]] Mask ends(const Vector& p, const Mask& pair) {
+        const Number squared = squared_norm(v_), reach = dot(v_, p) * scale_,
+                     open = search_gap * extent_ * scale_ * square_root<float, n>(squared),
+                     length = squared / (scale_ * scale_);
+        Mask ended = (squared - reach <= open) | (verdict_only_ & (reach > clear_gaps * open)) |
+                     ~(length < least_) | (steps_ > most_search_steps);
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i) ended |= held_.of[i] & (pairs_[i] == pair);
+        least_ = starts_ ? least_ : length;
+        return ended & ~starts_;
+    }
+
+    /// Computes the closest points: of lanes that start, the newest point.
+    [[gnu::always_inline]] void rest_on(const Sides<Three<Number>>& sides, const Vector& p,
+                                        const Mask& goes_on) {
+        const Mask chosen = -(sides.face.of[0] + sides.face.of[1] + sides.face.of[2] + sides.edge.of[0] +
+                              sides.edge.of[1] + sides.edge.of[2]);
+        const Mask on_newest =
+            starts_ | ((chosen == 0) & ~(sides.ahead.of[0] | sides.ahead.of[1] | sides.ahead.of[2]));
+        const Three<Number> scales = sides.scale();
+        Three<Number> weight = sides.weight();
+        Three<Mask> members = sides.members();
+        scale_ =
+            on_newest ? Number{} + 1 : (Number)((Mask)scales.of[0] | (Mask)scales.of[1] | (Mask)scales.of[2]);
+        const Mask in_doubt = goes_on & ~on_newest & (chosen != 1);
+        if (any_lane(in_doubt)) try_all(in_doubt, p, weight, members);
+        v_ = (scale_ * p + weight.of[0] * (q_[0] - p)) +
+             (weight.of[1] * (q_[1] - p) + weight.of[2] * (q_[2] - p));
+        held_ = members & Three<Mask>{{~starts_, ~starts_, ~starts_}};
+    }
+
+    [[gnu::always_inline]] void try_all(const Mask& in_doubt, const Vector& p, Three<Number>& weight,
+                                        Three<Mask>& members) {
+        for (int lane = 0; lane < n; ++lane) {
+            if (!in_doubt[lane]) continue;
+            OfOlder<Four> older{};
+            FourWords held{};
+            for (int i = 0; i < 3; ++i) {
+                older.x[i] = q_[i].x[lane];
+                older.y[i] = q_[i].y[lane];
+                older.z[i] = q_[i].z[lane];
+                held[i] = held_.of[i][lane];
+            }
+            const NearestOfAll nearest = try_all_sides(Four{p.x[lane], p.y[lane], p.z[lane], 0}, older, held);
+            scale_[lane] = nearest.scale;
+            for (int i = 0; i < 3; ++i) {
+                weight.of[i][lane] = nearest.weight[i];
+                members.of[i][lane] = nearest.members[i];
+            }
+        }
+    }
+
+    /// Puts the newest point in the first free place.
+    [[gnu::always_inline]] void insert(const Vector& p, const Mask& pair) {
+        Mask taken = Mask{} - 1;
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i) {
+            const Mask here = taken & ~held_.of[i];
+            q_[i] = select(here, p, q_[i]);
+            pairs_[i] = here ? pair : pairs_[i];
+            taken &= held_.of[i];
+            held_.of[i] |= here;
+        }
+    }
+
+    [[gnu::always_inline]] void hand_over(const Mask& done, const Mask& surrounded, const Mask& pair) {
+        for (int lane = 0; lane < n; ++lane) {
+            if (!done[lane]) continue;
+            SingleSearchEnd end;
+            end.steps = static_cast<int>(steps_[lane]);
+            for (int i = 0; i < 3; ++i) end.add(pairs_[i][lane], held_.of[i][lane] != 0);
+            if (surrounded[lane]) end.add(pair[lane], true);
+            source_.take(lane, end);
+        }
+    }
+
+    /// Loads the source's next search; without one the lane is idle.
+    void load(int lane) {
+        is_active_[lane] = 0;
+        if (!source_.next(lane, search_)) return;
+        is_active_[lane] = -1;
+        a_.write(lane, search_.a);
+        move_to_a<n>(search_, moved_);
+        b_.write(lane, moved_);
+        const Vec3<float>& towards_b = search_.towards_b;
+        v_.set(lane, -towards_b.x(), -towards_b.y(), -towards_b.z());
+        for (int i = 0; i < 3; ++i) {
+            q_[i].set(lane, 0, 0, 0);
+            held_.of[i][lane] = 0;
+        }
+        verdict_only_[lane] = search_.verdict_only ? -1 : 0;
+        least_[lane] = std::numeric_limits<float>::infinity();
+        steps_[lane] = 1;
+        starts_[lane] = -1;
+    }
+
+    SearchSource& source_;
+    SingleSearch search_;   ///< the lane's that loads
+    SingleVertices moved_;  ///< its B in A's frame
+    LaneBodies<n> a_, b_;   ///< both in A's frame
+    SmallArray<Vector, 3> q_{};
+    SmallArray<Mask, 3> pairs_{};
+    Three<Mask> held_{};
+    Vector v_{};  ///< the simplex' closest point, times scale
+    Number scale_{}, least_{}, extent_{};
+    Mask steps_{}, verdict_only_{};
+    Mask starts_{};     ///< without a point so far
+    Mask is_active_{};  ///< holds a search
+};
+
+}  // namespace edgewise
