@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Records MuJoCo: an MJCF model with random controls, the actuators redrawn ten times a second. Positions are
-// those of the step that MuJoCo is about to take (after mj_step1), as are contacts. It does not tell its
-// broad phase, so the reader finds pairs by the model's own rules: bits, links, parents, excluded bodies.
-// Vertices of a mesh lie in the frame that MuJoCo gave the mesh when it compiled the model; the geom's
-// position is in that frame.
+// Records MuJoCo: an MJCF model with random controls, the actuators redrawn ten times a second; or a robot,
+// MJCF or URDF, with joints that move at a constant speed between random places within their limits, without
+// dynamics. Positions are those of the step that MuJoCo is about to take (after mj_step1), as are contacts.
+// It does not expose the pairs of its broad phase, so the reader finds pairs by the model's own rules: bits,
+// links, parents, excluded bodies. Vertices of a mesh lie in the frame that MuJoCo gave the mesh when it
+// compiled the model; the geom's position is in that frame.
 //
-// record_mujoco MODEL [SECONDS [RATE]]: `edgewise record` calls it. At rate 0 every step is recorded.
+// record_mujoco MODEL [SECONDS [RATE [JOINTS]]]: `edgewise record` calls it. At rate 0 every step is
+// recorded. JOINTS: their speed in rad/s, or in lengths per second; 0: dynamics.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <edgewise/record.hpp>
@@ -60,10 +63,16 @@ class MujocoModel {
         mj_forward(model_.get(), data_.get());
     }
 
-    void record(double seconds, double rate) {
+    void record(double seconds, double rate, double joint_speed) {
         MujocoRecorder recorder(std::cout, std::string("MuJoCo ") + mj_versionString(), model_->opt.timestep);
         add_bodies(recorder);
         if (bodies_.empty()) throw std::invalid_argument("no geometry of the model takes part in collisions");
+        joint_speed > 0 ? record_joints(seconds, rate, joint_speed, recorder)
+                        : record_dynamics(seconds, rate, recorder);
+    }
+
+  private:
+    void record_dynamics(double seconds, double rate, MujocoRecorder& recorder) {
         double next_control = 0, next_step = 0;
         while (data_->time < seconds - 1e-9) {
             if (data_->time >= next_control) {
@@ -79,7 +88,33 @@ class MujocoModel {
         }
     }
 
-  private:
+    void record_joints(double seconds, double rate, double speed, MujocoRecorder& recorder) {
+        const double step = rate > 0 ? 1 / rate : model_->opt.timestep;
+        std::vector<double> goals(data_->qpos, data_->qpos + model_->nq);
+        for (; data_->time < seconds - 1e-9; data_->time += step) {
+            mj_forward(model_.get(), data_.get());
+            write_step(recorder);
+            for (int joint = 0; joint < model_->njnt; ++joint) move_joint(joint, speed * step, goals);
+        }
+    }
+
+    /// Moves a hinge or a slide by `way` towards its goal; once there it gets another one. Others stay.
+    void move_joint(int joint, double way, std::vector<double>& goals) {
+        const int type = model_->jnt_type[joint], at = model_->jnt_qposadr[joint];
+        if (type != mjJNT_HINGE && type != mjJNT_SLIDE) return;
+        mjtNum& place = data_->qpos[at];
+        double& goal = goals[static_cast<std::size_t>(at)];
+        if (place == goal) {
+            const mjtNum* range = model_->jnt_range + 2 * joint;
+            const bool is_limited = model_->jnt_limited[joint] != 0;
+            const double farthest = type == mjJNT_HINGE ? mjPI : 1;
+            goal = std::uniform_real_distribution<double>(is_limited ? range[0] : -farthest,
+                                                          is_limited ? range[1] : farthest)(random_);
+        }
+        place += std::clamp(goal - place, -way, way);
+        if (std::abs(goal - place) < 1e-9) place = goal;
+    }
+
     void add_bodies(MujocoRecorder& recorder) {
         const bool parents_collide = (model_->opt.disableflags & mjDSBL_FILTERPARENT) != 0;
         for (int geom = 0; geom < model_->ngeom; ++geom) {
@@ -106,7 +141,7 @@ class MujocoModel {
         }
     }
 
-    /// Geoms that are alike share a shape.
+    /// Equal geoms share a shape.
     std::size_t shape_of(int geom, MujocoRecorder& recorder) {
         const mjtNum* size = model_->geom_size + 3 * geom;
         const int type = model_->geom_type[geom], mesh = model_->geom_dataid[geom];
@@ -186,9 +221,10 @@ class MujocoModel {
 }  // namespace
 
 int main(int count, char** words) try {
-    if (count < 2) return std::fprintf(stderr, "usage: record_mujoco MODEL.xml [SECONDS [RATE]]\n"), 2;
+    if (count < 2) return std::fprintf(stderr, "usage: record_mujoco MODEL [SECONDS [RATE [JOINTS]]]\n"), 2;
     MujocoModel(file_of(words[1]))
-        .record(count > 2 ? std::atof(words[2]) : 5, count > 3 ? std::atof(words[3]) : 60);
+        .record(count > 2 ? std::atof(words[2]) : 5, count > 3 ? std::atof(words[3]) : 60,
+                count > 4 ? std::atof(words[4]) : 0);
     return std::cout.flush() ? 0 : 1;
 } catch (const std::exception& problem) {
     std::fprintf(stderr, "%s: %s\n", words[1], problem.what());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for `edgewise
-// sweep
-// --scenes`. The engines are in programs of their own next to this one, which a build has if the engine's
-// package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
+// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for
+// `edgewise sweep --scenes`. The engines are in programs of their own next to this one, which a build has if
+// the engine's package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"
@@ -24,6 +24,7 @@ namespace {
 struct RecordArguments {
     std::string model, out;
     double seconds = 5, rate = 60;
+    std::optional<double> joints;
 };
 
 /// A program that records, with its model.
@@ -39,9 +40,18 @@ Engine engine_of(std::string model) {
     if (std::ranges::find(bullet, model) != bullet.end())
         return {"record_bullet", "libbullet-dev", model.substr(of_bullet.size())};
     if (model.starts_with(of_mujoco)) model.erase(0, of_mujoco.size());
-    if (model.ends_with(".xml")) return {"record_mujoco", "libmujoco-dev libmujoco-samples", model};
+    if (model.ends_with(".xml") || model.ends_with(".urdf"))
+        return {"record_mujoco", "libmujoco-dev libmujoco-samples", model};
     throw std::invalid_argument(unknown_name("model", model, bullet) +
-                                ", or a model of MuJoCo: the path of a file that ends in .xml");
+                                ", or a model of MuJoCo: the path of a file that ends in .xml or .urdf");
+}
+
+/// A URDF has no actuators: its joints move as asked.
+std::string joint_speed(const RecordArguments& options, const Engine& engine) {
+    const bool is_bullet = engine.program == std::string_view("record_bullet");
+    if (is_bullet && options.joints)
+        throw std::invalid_argument(options.model + ": --joints is for models of MuJoCo, which have joints");
+    return fmt::format("{}", options.joints.value_or(engine.model.ends_with(".urdf") ? 1 : 0));
 }
 
 int run_record(const RecordArguments& options, bool json) {
@@ -53,8 +63,12 @@ int run_record(const RecordArguments& options, bool json) {
             "{}: this program was built without {}: install its engine (Debian: {}) and build again",
             options.model, engine.program, engine.packages));
     const auto ran = measure::run_program({program.string(), engine.model, fmt::format("{}", options.seconds),
-                                           fmt::format("{}", options.rate)});
+                                           fmt::format("{}", options.rate), joint_speed(options, engine)});
     if (!ran.value) throw std::runtime_error(ran.reason);
+    constexpr int by_signal = 128;
+    if (ran.value->exit_code > by_signal)
+        throw std::invalid_argument(fmt::format("{}: the engine crashes on this model (signal {})",
+                                                options.model, ran.value->exit_code - by_signal));
     if (ran.value->exit_code != 0)
         throw std::invalid_argument(fmt::format("{} ended with {}: {}", engine.program, ran.value->exit_code,
                                                 on_one_line(ran.value->err)));
@@ -77,7 +91,7 @@ void add_record(CLI::App& app, Context& context) {
         ->add_option(
             "model", options.model,
             "bullet-stack, bullet-wall, bullet-heap, bullet-heap0 (hulls without margin), or a model of "
-            "MuJoCo: a file that ends in .xml, or the name of a sample")
+            "MuJoCo: an MJCF or URDF file (.xml, .urdf), or the name of a sample")
         ->required();
     add_output_file(*command, "--out", options.out,
                     "file to write: the recording, ending in .jsonl or .jsonl.gz")
@@ -85,6 +99,9 @@ void add_record(CLI::App& app, Context& context) {
     add_number(*command, "--seconds", options.seconds, {0.01, 3600, "seconds"}, "how long the engine runs");
     add_number(*command, "--rate", options.rate, {0, 100'000, "steps per second"},
                "steps recorded per second; 0: every step of the engine");
+    add_number(*command, "--joints", options.joints, {0, 1000, "rad/s"},
+               "joints move at this speed between random places within their limits, without dynamics; 0: "
+               "dynamics with random controls (standard: 1 for a URDF, else 0)");
 }
 
 }  // namespace edgewise::cli

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -67,7 +68,8 @@ class Replay {
                 {multiply(link.rotation, in_link.rotation), link.apply(in_link.translation)});
         }
         if (!own_pairs_) {
-            result.pairs = step.pairs;
+            std::ranges::copy_if(step.pairs, std::back_inserter(result.pairs),
+                                 [this](const BodyPair& pair) { return is_of_link(pair); });
             return result;
         }
         for (std::size_t i = 0; i < recording_.bodies.size(); ++i) {
@@ -77,8 +79,14 @@ class Replay {
             result.boxes.push_back(world_box(core, result.poses[i]).enlarged(margin));
         }
         for (const BodyPair& pair : broad_phase_.update(result.boxes))
-            if (is_asked(pair, step)) result.pairs.push_back(pair);
+            if (is_asked(pair, step) && is_of_link(pair)) result.pairs.push_back(pair);
         return result;
+    }
+
+    [[nodiscard]] bool is_of_link(const BodyPair& pair) const {
+        const double link = parameters_.at("link");
+        return link < 0 || recording_.bodies[pair.first].link == link ||
+               recording_.bodies[pair.second].link == link;
     }
 
     [[nodiscard]] bool is_asked(const BodyPair& pair, const RecordedStep& step) const {
@@ -177,6 +185,7 @@ SceneKind recorded_scene() {
            false},
           {"own_pairs", "1", "1: pairs from sweep and prune, also where the recording has the engine's", 0, 0,
            1, true},
+          {"link", "1", "only pairs with a body on this link; -1: all pairs", -1, -1, 1e6, true},
           {"segment", "1", "steps that stay together where the recording has more queries than asked for", 10,
            2, 1000000, true},
           {"own_tables", "1", "1: a table for each body; 0: bodies of one shape share one", 0, 0, 1, true},
