@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Records MuJoCo: an MJCF model with random controls, the actuators redrawn ten times a second. Positions are
-// those of the step that MuJoCo is about to take (after mj_step1), as are contacts. It does not tell its
-// broad phase, so the reader finds pairs by the model's own rules: bits, links, parents, excluded bodies.
-// Vertices of a mesh lie in the frame that MuJoCo gave the mesh when it compiled the model; the geom's
-// position is in that frame.
+// those of the step that MuJoCo is about to take (after mj_step1), as are contacts. It does not
+// expose the pairs of its broad phase, so the reader finds pairs by the model's own rules: bits, links,
+// parents, excluded bodies. Vertices of a mesh lie in the frame that MuJoCo gave the mesh when it compiled
+// the model; the geom's position is in that frame.
 //
 // record_mujoco MODEL [SECONDS [RATE]]: `edgewise record` calls it. At rate 0 every step is recorded.
 #include <mujoco/mujoco.h>
@@ -106,7 +106,7 @@ class MujocoModel {
         }
     }
 
-    /// Geoms that are alike share a shape.
+    /// Equal geoms share a shape.
     std::size_t shape_of(int geom, MujocoRecorder& recorder) {
         const mjtNum* size = model_->geom_size + 3 * geom;
         const int type = model_->geom_type[geom], mesh = model_->geom_dataid[geom];

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for `edgewise
-// sweep
-// --scenes`. The engines are in programs of their own next to this one, which a build has if the engine's
-// package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
+// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for
+// `edgewise sweep --scenes`. The engines are in programs of their own next to this one, which a build has if
+// the engine's package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
