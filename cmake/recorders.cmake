@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The examples that record an engine, as programs next to the tool's: `edgewise record` calls them. One whose engine is not
-# found is left out, with a message.
+# The examples that record an engine, as programs next to the tool's: `edgewise record` calls them. An example is left out, with
+# a message, if its engine is not found.
 find_package(mujoco CONFIG QUIET)
 find_package(Bullet QUIET)
 

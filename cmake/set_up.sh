@@ -15,7 +15,7 @@ wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev va
 parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache g++-aarch64-linux-gnu g++-riscv64-linux-gnu qemu-user'
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
-# Engines whose motion is recorded, for `edgewise record`: if EDGEWISE_ENGINES=ON is in the environment, and for tests.
+# Engines that `edgewise record` runs: if EDGEWISE_ENGINES=ON is in the environment, and for tests.
 wanted_by_recorders='libmujoco-dev libmujoco-samples libbullet-dev'
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 

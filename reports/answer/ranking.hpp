@@ -11,7 +11,7 @@
 // they neither win nor tie.
 //
 // The interval of a ratio is over the rounds of its process, or over the processes if several measured the
-// cell; by order statistics in both cases (ratio_interval.hpp).
+// cell; by order statistics in both cases (tables/tables.hpp).
 //
 // The baseline's own variation: its own cell is timed in the same rounds as the baseline, so these are two
 // measurements of one thing, and the ratio of the two is its own variation.
@@ -32,7 +32,7 @@
 #include <vector>
 
 #include "edgewise/reports/reader.hpp"
-#include "edgewise/reports/tables/ratio_interval.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 

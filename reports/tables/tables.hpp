@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,5 +146,17 @@ struct Drawing {
 [[nodiscard]] std::vector<std::string> scene_labels(const ReportData& data);
 /// The sweep's bodies with their vertices: by these, then by name.
 [[nodiscard]] std::vector<std::pair<std::int64_t, std::string>> shapes_by_vertices(const ReportData& data);
+
+// The interval of a median ratio over rounds or processes, by order statistics: no distribution is assumed
+// and no random number drawn, so the same store gives the same report. With fewer than six ratios the whole
+// range holds the median with less than 95 %; the interval then is that range and says so.
+
+struct RatioInterval {
+    double low = 0, high = 0;
+    bool whole_range = false;  ///< too few ratios for 95 %
+};
+
+/// Null when there are fewer than two ratios.
+[[nodiscard]] std::optional<RatioInterval> median_interval(std::vector<double> ratios);
 
 }  // namespace edgewise::reports

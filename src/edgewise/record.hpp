@@ -23,7 +23,7 @@
 
 namespace edgewise {
 
-/// What the pairs of a step are. none: the engine does not tell; the reader finds pairs of near bodies.
+/// Source of the pairs of a step; none: the engine gives no pairs, and the reader finds those of near bodies.
 enum class RecordedPairs : std::uint8_t { none, broad_phase, contacts };
 
 template <class Scalar>
@@ -99,7 +99,7 @@ class Recorder {
         return bodies_++;
     }
 
-    /// Bodies of these two links are never asked with each other.
+    /// Excludes all pairs of a body on `link_a` and a body on `link_b`.
     void exclude(std::size_t link_a, std::size_t link_b) {
         if (begun_) refuse("a pair is excluded after the first step");
         excluded_ +=

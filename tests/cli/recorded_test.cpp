@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine programmer's way, as its page tells it: record, sweep, read, lock. And what is said of an engine
-// that is not there, of a changed recording, and of commands that take none.
+// The steps of docs/your_engine.md: record, sweep, read, lock. And the messages about an engine that is not
+// installed, a changed recording, and commands that take no recording.
 #include <gmock/gmock.h>
 
 #include <cmath>

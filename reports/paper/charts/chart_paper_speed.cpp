@@ -42,7 +42,7 @@ struct PaperFigure {
     const char* says;
 };
 
-constexpr PaperFigure figures[] = {
+constexpr PaperFigure paper_figures[] = {
     {6, 8, 0, 12.57, "7e-5 s", "V-Clip slightly faster, both of comparable complexity"},
     {7, 38, 1, 7, "1e-4 s", "V-Clip consistently faster"},
     {8, 386, 1, 7, "1.2e-3 s, 12 times that of figure 7",
@@ -70,7 +70,7 @@ ChartRows angular_rows(const ReportData& data, const PaperFigure& figure) {
 /// The slowest of the three figures: where their common scale ends.
 double slowest_time(const ReportData& data) {
     double most = 0;
-    for (const PaperFigure& figure : figures)
+    for (const PaperFigure& figure : paper_figures)
         for (const ChartRows rows = angular_rows(data, figure); const ChartJson& row : rows.values)
             most = std::max(most, row["high"].get<double>());
     return most;
@@ -100,7 +100,7 @@ Chart paper_linear_chart(const ReportData& data) {
 }
 
 Chart paper_angular_chart(const ReportData& data, int number) {
-    const PaperFigure& figure = figures[number - figures[0].number];
+    const PaperFigure& figure = paper_figures[number - paper_figures[0].number];
     Chart chart = chart_of_file("paper_angular");
     number_chart(chart, number);
     chart.title = fmt::format(fmt::runtime(chart.title), fmt::arg("number", number),

@@ -11,7 +11,7 @@
 
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
-#include "edgewise/reports/tables/ratio_interval.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 

@@ -36,7 +36,7 @@ using Json = nlohmann::json;
 struct JudgeInput {
     std::string text;            ///< a file, or - for stdin
     std::string body_a, body_b;  ///< instead: names or mesh files
-    std::string pose_a, pose_b;  ///< poses of these bodies
+    std::string pose_a, pose_b;  ///< of body_a and body_b
     bool as_stored = false;      ///< of mesh files (scene::MeshReading)
 };
 

@@ -40,7 +40,7 @@ struct QueryArguments {
 /// Throws std::invalid_argument where one option leaves another without a meaning.
 void check_needs(const QueryArguments& options) {
     if (options.margin && options.needs != Needs::nearer)
-        throw std::invalid_argument("--margin is of --needs nearer: give both");
+        throw std::invalid_argument("--margin goes with --needs nearer: give both");
     if (options.needs == Needs::nearer && options.query.contact_tolerance != 0)
         throw std::invalid_argument(
             "--needs nearer asks for its --margin, not for contact: leave --contact-tolerance out");

@@ -89,7 +89,7 @@ CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers
 
 CLI::Option* add_machines_option(CLI::App& command, std::vector<std::string>& machines) {
     return add_names(command, "--machines,--machine", machines,
-                     "models the caches of these machines: a name (edgewise list machines), host for this "
+                     "machines to model the caches of: a name (edgewise list machines), host for this "
                      "machine, your own NAME.json, or cache sizes such as l2=256K,l3=8M");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Text files, plain or gzip: zlib reads both alike.
+// Text files, plain or gzip: zlib reads both.
 #pragma once
 
 #include <fmt/format.h>

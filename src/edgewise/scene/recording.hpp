@@ -2,8 +2,8 @@
 //
 // Recorded motion of an engine: files in the format convex-motion (docs/your_engine.md), and the scene that
 // replays them. Every shape is a convex core and a radius. The library has no radius yet, so the cores are
-// queried, and the note says which radii were left off. Shapes whose core has no vertices (plane, cylinder,
-// ellipsoid, unknown types) are left out with their pairs, and counted.
+// queried, and the note says which radii were left off. Shapes with a core without vertices (plane,
+// cylinder, ellipsoid, unknown types) are left out with their pairs, and counted.
 #pragma once
 
 #include <cstdint>

@@ -198,7 +198,7 @@ class RecordingReader {
         return shape;
     }
 
-    /// The body of a shape at a scale; shared by all bodies that are alike.
+    /// The body of a shape at a scale; equal shapes at equal scales share it.
     std::uint32_t core_of(std::size_t shape, const Vec3d& scale, const std::string& field) {
         const auto next = static_cast<std::uint32_t>(recording_.cores.size());
         const auto [known, is_new] = cores_.try_emplace({shape, scale.x(), scale.y(), scale.z()}, next);

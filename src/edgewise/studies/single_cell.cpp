@@ -31,7 +31,7 @@ std::string algorithm_of(const CellChoice& choice, const bench::TableType& type)
     if (!type.serves(algorithm))
         throw std::invalid_argument(fmt::format("{} does not serve {}", type.name, algorithm));
     if (choice.margin && choice.needs != Needs::nearer)
-        throw std::invalid_argument("a margin is of needs nearer: give both");
+        throw std::invalid_argument("a margin goes with needs nearer: give both");
     if (type.is_peer && choice.needs != Needs::witnesses)
         throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type.name));
     return algorithm;

@@ -35,7 +35,7 @@ constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_value
 /// A number above 0.
 double read_margin(std::string_view entry, std::string_view value) {
     const double number = read_tolerance(entry, value, 1e60);
-    if (number == 0) refuse(entry, "wants a number above 0: no bodies are nearer than that");
+    if (number == 0) refuse(entry, "wants a number above 0: no distance is below 0");
     return number;
 }
 
@@ -90,10 +90,11 @@ void take(Axes& axes, std::string_view entry) {
     }
 }
 
-/// A margin is of one question alone, and that question knows no other tolerance.
+/// Refuses a margin without needs=nearer, and needs=nearer with a contact tolerance or in batches.
 void check_margin(const Axes& axes, std::string_view text) {
     const bool nearer = axes.needs == Needs::nearer;
-    if (!nearer && text.find("margin=") != text.npos) refuse(text, "a margin is of needs=nearer: write both");
+    if (!nearer && text.find("margin=") != text.npos)
+        refuse(text, "a margin goes with needs=nearer: write both");
     if (nearer && axes.query.contact_tolerance != 0)
         refuse(text, "needs=nearer asks for its margin, not for contact: leave contact_tolerance out");
     if (nearer && axes.batch) refuse(text, "needs=nearer asks one pair at a time: leave batch out");
@@ -117,7 +118,7 @@ const std::vector<AxisInfo>& axes_known() {
         {"hardening", hardening_values,
          "off: V-Clip as published, its doubtful answers counted instead of recomputed; not to be timed"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
-        {"margin", "RATIO", "of needs=nearer: the distance asked about, over the larger body's extent"},
+        {"margin", "RATIO", "the distance that needs=nearer asks about, divided by the larger body's extent"},
     };
     return axes;
 }

@@ -32,7 +32,8 @@ struct SweepListener {
 
 /// What all cells of a scene on a shape have in common: a row without algorithm, table and hash.
 [[nodiscard]] store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::NamedShape& shape);
-/// The queries of these cells. Throws std::invalid_argument when the scene cannot be made.
+/// The queries that all cells of a scene on a shape answer. Throws std::invalid_argument when the scene
+/// cannot be made.
 [[nodiscard]] SharedQueries queries_of(Plan plan, const SceneWork& scene, const scene::NamedShape& shape);
 
 /// `left` receives the expected work and the time that each part took. `stop` is read between rounds.

@@ -2,7 +2,7 @@
 //
 // The table of assumptions over synthetic cells: each value has its own row, and the sentences say what holds
 // under all values and what does not.
-#include "edgewise/reports/paper/claims/assumptions.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 
 #include <gmock/gmock.h>
 

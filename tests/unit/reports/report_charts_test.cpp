@@ -12,7 +12,7 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/ratio_interval.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 #include "report_store.hpp"
 

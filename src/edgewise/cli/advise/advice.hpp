@@ -17,13 +17,12 @@
 #include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
-#include "edgewise/studies/advise/race_plan.hpp"
 #include "edgewise/studies/advise/screen.hpp"
 
 namespace edgewise::cli {
 
 struct RaceOptions {
-    std::vector<std::string> machines;  ///< whose caches are modelled, as for choose_machines; host is added
+    std::vector<std::string> machines;  ///< as for choose_machines, to model their caches; host is added
     double seconds = 20;  ///< a process that has not ended by then is ended, and counts for nothing
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How coherent the motion of a plan's scenes is, a row for each scene on each shape: recorded motion beside
-// invented motion, in the same units. Turn and way are those of a pair's second body in the frame of its
+// How coherent the motion of a plan's scenes is, a row for each scene on each shape: recorded motion next
+// to invented motion, in the same units. Turn and way are those of a pair's second body in the frame of its
 // first, from one query of the pair to the next; sizes are extents of the smaller body.
 #include <fmt/format.h>
 
@@ -103,7 +103,7 @@ class Motion {
 
     [[nodiscard]] double size_of(const scene::Query& query) const {
         const double size = std::min(sizes_[query.body_a], sizes_[query.body_b]);
-        return size > 0 ? size : std::max(sizes_[query.body_a], sizes_[query.body_b]);  // beside a point
+        return size > 0 ? size : std::max(sizes_[query.body_a], sizes_[query.body_b]);  // one is a point
     }
 
     const scene::Workload& workload_;
@@ -158,7 +158,7 @@ sweep::Study coherence_study() {
         .chapter = {
             .title = "How coherent is the motion?",
             .text =
-                "Recorded scenes beside invented ones. Turn and way: of a pair's second body in the frame "
+                "Recorded scenes next to invented ones. Turn and way: of a pair's second body in the frame "
                 "of its first, from query to query, in radians and in sizes (extents of the smaller body). "
                 "Persistent: pairs that were asked in the step before. Near: separated by less than 0.01 "
                 "sizes. Of rounded bodies the cores are asked, without their radii. An invented scene "
