@@ -127,6 +127,17 @@ TEST(Recorded, IsMeasuredLikeAnyScene) {
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("How coherent is the motion?"));
 }
 
+TEST(Recorded, IsRacedByAdvise) {
+    const Folder folder;
+    folder.write("fall.jsonl", falling(0.004));
+    const Outcome outcome = run({"advise", "--scene", "fall.jsonl", "--time", "600", "--json"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json advice = json::parse(outcome.out);
+    EXPECT_EQ(advice["processes"], 3);
+    EXPECT_THAT(advice["asked"]["scene"].dump(), HasSubstr("recorded"));
+    EXPECT_FALSE(advice["take"].is_null());
+}
+
 TEST(Recorded, IsHeldByALock) {
     const Folder folder;
     folder.write("fall.jsonl", falling(0.004));
@@ -145,13 +156,14 @@ TEST(Recorded, IsRefusedWithWhatToDo) {
     const Folder folder;
     folder.write("fall.jsonl", falling(0.004));
     folder.write("cut.jsonl", falling(0.004).substr(0, 2000));
+    folder.write("slow.json",
+                 R"({"scene": "recorded", "recording": "fall.jsonl", "parameters": {"rate": 10}})");
     const std::pair<Arguments, const char*> all[] = {
         {{"sweep", "--scenes", "cut.jsonl"}, "cut.jsonl:"},
         {{"sweep", "--scenes", "none.jsonl.gz"}, "none.jsonl.gz: no such file"},
         {{"sweep", "--scenes", "fall.jsonl", "--shape", "cube8"}, "name none with --shape"},
         {{"sweep", "--scenes", "recorded"}, "scene 'recorded' is of a file"},
-        {{"advise", "--scene", "fall.jsonl"},
-         "advise knows no recordings: edgewise sweep --scenes fall.jsonl"},
+        {{"advise", "--scene", "slow.json"}, "slow.json: for motion of an engine name the recording itself"},
         {{"fields", "--scene", "fall.jsonl"}, "edgewise sweep --scenes fall.jsonl measures it"},
         {{"bench", "effort", "--scene", "fall.jsonl"}, "edgewise sweep --scenes fall.jsonl measures it"},
         {{"record", "bullet-stak", "--out", "a.jsonl"}, "did you mean 'bullet-stack'?"},

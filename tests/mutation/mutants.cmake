@@ -51,6 +51,8 @@ edgewise_mutant(search_leaves_the_origin algorithms/search/sides.hpp [[r = -s;]]
 edgewise_mutant(search_takes_the_wrong_face algorithms/search/sides.hpp [[l = next_s * h - s * next_g;]] [[l = next_s * h + s * next_g;]]
     SingleSearch.* ${search})
 edgewise_mutant(search_keeps_no_faces algorithms/search/sides.hpp [[return face | last(face) | edge;]] [[return face | edge;]] SingleSearch.* ${search})
+edgewise_mutant(depth_has_one_radius algorithms/rounded.hpp [[found.depth += a.radius + b.radius;]] [[found.depth += a.radius;]]
+    Rounded.* ${unit}/algorithms/rounded_test.cpp)
 edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]

@@ -216,15 +216,17 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
                                     ": a file NAME.json, or one of edgewise list scene_files");
     if (!file->warning.empty()) warn(file->warning);
     const scene::SceneFile scene = std::move(*file).or_throw();
-    if (scene.recording)
-        throw std::invalid_argument(fmt::format(
-            "--scene {}: advise knows no recordings: edgewise sweep --scenes {} compares its cells",
-            options.scene, options.scene));
+    if (scene.recording && options.scene.ends_with(".json"))
+        throw std::invalid_argument("--scene " + options.scene +
+                                    ": for motion of an engine name the recording itself");
     asked.shape = scene.shapes.front();
-    if (asked.shape.source != "built-in")
+    if (scene.recording)
+        asked.recording = std::filesystem::absolute(options.scene);
+    else if (asked.shape.source != "built-in")
         throw std::invalid_argument("--scene " + options.scene +
                                     ": for a mesh write --shape FILE, --bodies and --turn");
-    asked.scene = {scene.kind, scene.points.front().parameters};
+    asked.scene = {
+        .name = scene.kind, .parameters = scene.points.front().parameters, .recording = scene.recording};
     asked.needs = scene.needs;
     asked.own_tables =
         asked.scene.parameters.contains("own_tables") && asked.scene.parameters["own_tables"] > 0;
@@ -326,8 +328,9 @@ void add_advise(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "advise",
                     "Which layout to take for your bodies, measured in less than a minute", run_advise);
-    CLI::Option* const scene = command->add_option("--scene", options.scene,
-                                                   "scene: a file, NAME.json, instead of options on bodies");
+    CLI::Option* const scene = command->add_option(
+        "--scene", options.scene,
+        "scene: a file, NAME.json, or a recording of an engine or robot, instead of options on bodies");
     CLI::Option* const shape = add_shape_option(*command, options.shape, options.as_stored)->excludes(scene);
     add_count(*command, "--vertices", options.vertices, vertices_range,
               "how many vertices: a sphere with this number of them")

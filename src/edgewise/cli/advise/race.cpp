@@ -79,11 +79,15 @@ sweep::SceneChoice in_cache(const CaseAsked& asked) {
 
 std::string scene_file(const char* name, const CaseAsked& asked, const sweep::SceneChoice& scene,
                        const WorkFolder& folder) {
-    const std::string shape = asked.mesh.empty() ? asked.shape.name : fs::absolute(asked.mesh).string();
-    return folder.write(std::string(name) + ".json", {{"scene", scene.name},
-                                                      {"shapes", {shape}},
-                                                      {"needs", to_string(asked.needs)},
-                                                      {"parameters", scene.parameters}});
+    nlohmann::json file = {
+        {"scene", scene.name}, {"needs", to_string(asked.needs)}, {"parameters", scene.parameters}};
+    if (asked.recording.empty()) {
+        file["shapes"] = {asked.mesh.empty() ? asked.shape.name : fs::absolute(asked.mesh).string()};
+    } else {
+        file["recording"] = asked.recording;
+        file["parameters"].erase("recording");  // computed
+    }
+    return folder.write(std::string(name) + ".json", file);
 }
 
 /// Returns a sweep of the table types and the algorithms of the cells.
@@ -170,7 +174,7 @@ class Running {
         const bool hosts_caches = std::ranges::find(named_, studies::advise::this_machine) == named_.end();
         for (int left = plan.processes; left > 0 && problem.empty(); --left) {
             sweep_.rounds = plan.rounds;
-            sweep_.times_in_cache = left == plan.processes;
+            sweep_.times_in_cache = left == plan.processes && asked_.recording.empty();
             sweep_.machines.clear();
             if (left == 1 && hosts_caches) sweep_.machines = {studies::advise::this_machine};
             problem = run_process(seconds_left());

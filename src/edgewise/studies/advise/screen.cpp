@@ -38,9 +38,12 @@ std::string sentence_of(const CaseAsked& asked) {
     const std::string tables = !can_share(asked)  ? ""
                                : asked.own_tables ? ", a table each"
                                                   : ", one table for all";
-    return fmt::format("{}{}, {} vertices ({}){}, {}, error <= {}", asked.scene.name, numbers,
-                       asked.shape.body.vertex_count(), asked.shape.name, tables, to_string(asked.needs),
-                       asked.error_limit);
+    const std::string rest =
+        fmt::format("{}, {}, error <= {}", tables, to_string(asked.needs), asked.error_limit);
+    if (!asked.recording.empty())
+        return fmt::format("recording {}{}; bytes are those of its first shape", asked.shape.name, rest);
+    return fmt::format("{}{}, {} vertices ({}){}", asked.scene.name, numbers, asked.shape.body.vertex_count(),
+                       asked.shape.name, rest);
 }
 
 namespace {

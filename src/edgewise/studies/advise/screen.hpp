@@ -30,6 +30,7 @@ struct CaseAsked {
     std::string mesh;          ///< the file that the shape is of; empty: built-in
     bool as_stored = false;    ///< of the mesh (scene::MeshReading)
     sweep::SceneChoice scene;  ///< a kind of scene with its parameters
+    std::string recording;     ///< the file that the scene replays; `shape` is then its first core
     bool own_tables = false;   ///< a table for each body; else one for all
     Needs needs = Needs::distance;
     double error_limit = 1e-6;  ///< of a distance, divided by the scale of the pair

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Rounded bodies: all points within a radius of a core, which is any body with a table. A sphere is a point
+// with a radius, a capsule a segment, an engine's hull with a margin a hull. Queries ask the cores: the
+// difference of two rounded bodies is that of their cores, enlarged by the sum of the radii on all sides, so
+// distances and depths differ by that sum, along the same normal.
+#pragma once
+
+#include <cassert>
+
+#include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/penetration.hpp"
+#include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/geometry/pose.hpp"
+#include "edgewise/table/contract.hpp"
+
+namespace edgewise {
+
+/// The table must live longer. Radius: not negative, in the body's unit.
+template <SupportTable Table>
+struct Rounded {
+    const Table& core;
+    double radius = 0;
+};
+
+/// The answer of rounded bodies from that of their cores (`radius_a`, `radius_b`). Of bodies that overlap, as
+/// of cores that do, the points are void and the normal is zero.
+[[nodiscard]] inline Distance rounded(Distance cores, double radius_a, double radius_b,
+                                      double contact_tolerance = 0) {
+    assert(radius_a >= 0 && radius_b >= 0);
+    if (cores.status == Status::failed) return cores;
+    const double gap = cores.distance - (radius_a + radius_b);
+    cores.point_a += radius_a * cores.normal;
+    cores.point_b -= radius_b * cores.normal;
+    if (gap < 0) {
+        cores.status = Status::overlapping;
+        cores.distance = 0;
+        cores.normal = Vec3d::Zero();
+        return cores;
+    }
+    cores.distance = gap;
+    if (cores.status == Status::separated && gap <= contact_tolerance) cores.status = Status::touching;
+    return cores;
+}
+
+/// Distance of two rounded bodies, as Algorithm::query of their cores (Gjk, or VClip). `a_from_b` takes B's
+/// points into A's frame; `pair` is that of the cores. For the verdict alone (QueryOptions) GJK ends as soon
+/// as a direction separates the rounded bodies.
+template <class Algorithm, SupportTable TableA, SupportTable TableB>
+[[nodiscard]] Distance query_rounded(const Rounded<TableA>& a, const Rounded<TableB>& b,
+                                     const Transform<double>& a_from_b,
+                                     typename Algorithm::template Pair<TableA, TableB>& pair,
+                                     const QueryOptions& options = {}) {
+    QueryOptions of_cores = options;
+    of_cores.contact_tolerance = options.verdict_only ? options.contact_tolerance + a.radius + b.radius : 0;
+    const Distance cores = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores);
+    return rounded(cores, a.radius, b.radius, options.contact_tolerance);
+}
+
+/// Depth of two rounded bodies that touch or overlap, from the answer of their cores. Separated cores know
+/// it; the depth of others is asked for, from the pair that the query left.
+template <SupportTable TableA, SupportTable TableB>
+[[nodiscard]] Penetration rounded_penetration(const Rounded<TableA>& a, const Rounded<TableB>& b,
+                                              const Transform<double>& a_from_b, const Distance& cores,
+                                              const SimplexPair<TableA, TableB>& start,
+                                              PenetrationSpace& space) {
+    Penetration found{.depth = -cores.distance,
+                      .normal = cores.normal,
+                      .point_a = cores.point_a,
+                      .point_b = cores.point_b,
+                      .converged = true};
+    if (cores.status != Status::separated) found = penetration(a.core, b.core, a_from_b, start, space);
+    found.depth += a.radius + b.radius;
+    found.point_a += a.radius * found.normal;
+    found.point_b -= b.radius * found.normal;
+    return found;
+}
+
+}  // namespace edgewise
