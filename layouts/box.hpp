@@ -165,7 +165,8 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
     }
 
     [[nodiscard]] static std::optional<Edge> edge_named(std::uint32_t name) {
-        const bool is_edge = name < 64 && std::has_single_bit(name >> 3) && (name >> 3 & name) == 0;
+        const Index axis = name >> 3;
+        const bool is_edge = (axis == 1 || axis == 2 || axis == 4) && (name & axis) == 0;
         return is_edge ? std::optional<Edge>(name) : std::nullopt;
     }
 
