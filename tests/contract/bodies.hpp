@@ -55,6 +55,23 @@ struct NamedBody {
     return body;
 }
 
+/// A box about the origin with sides along the axes.
+[[nodiscard]] inline Polyhedron centred_box(const Vec3d& half) {
+    std::vector<Vec3d> points;
+    for (int i = 0; i < 8; ++i)
+        points.emplace_back(i & 1 ? half[0] : -half[0], i & 2 ? half[1] : -half[1],
+                            i & 4 ? half[2] : -half[2]);
+    return hull(points);
+}
+
+/// For layouts that hold nothing but boxes.
+[[nodiscard]] inline std::vector<NamedBody> boxes() {
+    return {{"box8", shape("box8")},
+            {"square tile", centred_box({1, 0.25, 1})},
+            {"beam", centred_box({0.5, 2, 0.125})},
+            {"plate", centred_box({1, 0.75, 0.125})}};
+}
+
 [[nodiscard]] inline std::vector<NamedBody> given_bodies() {
     return {{"tetra4", shape("tetra4")},     {"cube8", shape("cube8")},
             {"sphere38", shape("sphere38")}, {"sphere386", shape("sphere386")},

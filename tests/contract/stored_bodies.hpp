@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,18 +43,23 @@ template <class T>
     return *stored;
 }
 
-/// Returns false if the body is too large for the layout.
+/// Returns false, and prints why, if the layout takes no such bodies: its reason then begins with its name.
 template <class T>
 [[nodiscard]] bool holds(const Polyhedron& body) {
-    return !is_limited<T> || stored_body<T>(body);
+    const std::string why = stored_body<T>(body).error;
+    if (!why.starts_with(std::string(T::name) + " takes bodies of ")) return true;
+    std::printf("%s\n", why.c_str());
+    return false;
 }
 
+/// The bodies given that the layout holds; of a layout that takes boxes alone, these.
 template <class T>
 [[nodiscard]] const std::vector<NamedBody>& test_bodies() {
     static const std::vector<NamedBody> bodies = [] {
-        std::vector<NamedBody> stored;
-        for (auto& [name, body] : given_bodies())
-            if (holds<T>(body)) stored.push_back({name, as_stored<T>(body)});
+        std::vector<NamedBody> given = given_bodies(), stored;
+        std::erase_if(given, [](const NamedBody& named) { return !holds<T>(named.body); });
+        if (given.size() < 5) std::ranges::move(boxes(), std::back_inserter(given));
+        for (const auto& [name, body] : given) stored.push_back({name, as_stored<T>(body)});
         EXPECT_GE(stored.size(), 5U);
         return stored;
     }();

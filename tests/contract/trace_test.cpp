@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -83,7 +84,9 @@ void expect_same_answers(const bench::Runner& runner, std::size_t queries, const
 
 TEST_P(Trace, AnswersAreTheSameAndEveryReadIsInsideTheTable) {
     int held = 0;
-    for (const auto& [name, body] : given_bodies()) {
+    std::vector<NamedBody> bodies = given_bodies();
+    std::ranges::move(boxes(), std::back_inserter(bodies));
+    for (const auto& [name, body] : bodies) {
         if (const auto stored = GetParam()->stored_body(body); !stored) {
             std::printf("%s: %s\n", name.c_str(), stored.error.c_str());
             continue;

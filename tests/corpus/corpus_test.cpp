@@ -22,7 +22,7 @@ namespace {
 struct Worst {
     double distance = 0, witness = 0, depth = 0;  ///< over scale, beyond the band
     int apart = 0, contact = 0, in_band = 0;
-    int refused = 0, too_large = 0;  ///< out of range of the storage; too large for the layout
+    int refused = 0, not_held = 0;  ///< out of range of the storage; too large or no box for the layout
 };
 
 struct Subject {
@@ -39,8 +39,8 @@ class Corpus : public testing::TestWithParam<Subject> {
     void expect_right(const scene::Case& given) {
         const JudgedCase judged = judge_case(*runner_, {GetParam().type.eps}, given);
         if (!judged.answered) {
-            const bool large = judged.refusal.find(" takes bodies of up to ") != std::string::npos;
-            ++(large ? worst_.too_large : worst_.refused);
+            const bool not_its_kind = judged.refusal.find(" takes bodies of ") != std::string::npos;
+            ++(not_its_kind ? worst_.not_held : worst_.refused);
             std::printf("%s: %s\n", given.id.c_str(), judged.refusal.c_str());
             return;
         }
@@ -59,6 +59,12 @@ class Corpus : public testing::TestWithParam<Subject> {
             worst_.depth, worst_.apart, worst_.contact, worst_.in_band);
     }
 
+    static bool holds_boxes_alone() { return GetParam().type.layout == "box"; }
+    /// Number of cases that single precision cannot hold: `boxes` of them begin with a box.
+    static int out_of_range(int all, int boxes) {
+        return GetParam().type.storage == "single" ? all : GetParam().type.name == "box_f32" ? boxes : 0;
+    }
+
     Worst worst_;
     std::vector<std::string> wrong_;
     std::unique_ptr<bench::Runner> runner_;
@@ -74,8 +80,8 @@ TEST_P(Corpus, IsAnsweredRightHoweverItIsGiven) {
     print("");
     EXPECT_THAT(wrong_, testing::IsEmpty());
     // Two cases in their three forms are out of the range of single precision.
-    EXPECT_EQ(worst_.refused, GetParam().type.storage == "single" ? 6 : 0);
-    EXPECT_GT(worst_.apart, 200);
+    EXPECT_EQ(worst_.refused, out_of_range(6, 4));
+    EXPECT_GT(worst_.apart, holds_boxes_alone() ? 60 : 200);
     EXPECT_GT(worst_.contact, 200);
 }
 
@@ -108,8 +114,8 @@ TEST_P(Corpus, IsAnsweredRightInAWorldTurnedAndMoved) {
     print(" turned and moved");
     EXPECT_THAT(wrong_, testing::IsEmpty());
     EXPECT_EQ(moved, static_cast<int>(corpus().size()));
-    EXPECT_EQ(worst_.refused, GetParam().type.storage == "single" ? 4 : 0);
-    EXPECT_GT(worst_.apart, 130);
+    EXPECT_EQ(worst_.refused, out_of_range(4, 4));
+    EXPECT_GT(worst_.apart, holds_boxes_alone() ? 40 : 130);
     EXPECT_GT(worst_.contact, 130);
 }
 
@@ -144,7 +150,7 @@ TEST_P(Corpus, IsAnsweredAlikeAtEveryScale) {
             expect_scaled(given, power, *runner_, compared);
         }
     }
-    EXPECT_GT(compared, 800);
+    EXPECT_GT(compared, holds_boxes_alone() ? 400 : 800);
 }
 
 std::vector<Subject> subjects() {

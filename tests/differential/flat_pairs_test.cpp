@@ -23,6 +23,7 @@ template <class Table>
 std::vector<NamedBody> bodies() {
     std::vector<NamedBody> all = flat_bodies();
     all.push_back({"cube", shape("cube8")});
+    std::erase_if(all, [](const NamedBody& named) { return !holds<Table>(named.body); });
     for (NamedBody& named : all) named.body = as_stored<Table>(named.body);
     return all;
 }
@@ -76,6 +77,7 @@ TYPED_TEST_SUITE(FlatPairs, TableTypes);
 
 TYPED_TEST(FlatPairs, AnswersAreRightFromAnyStart) {
     using Table = typename TypeParam::Table;
+    if (bodies<Table>().size() == 1) GTEST_SKIP() << "this layout holds no flat body";
     for_each_algorithm<Table>([&]<class Algorithm>(Algorithm) {
         constexpr bool rounded = planes_are_rounded<Algorithm, Table>;
         FlatTally<Table> tally;

@@ -207,8 +207,9 @@ TYPED_TEST_SUITE(RandomPairs, TableTypes);
 TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
     using Table = typename TypeParam::Table;
     int held = 0;
-    for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) {
-        if (!holds<Table>(shape(name))) continue;
+    const int least = holds<Table>(shape("tetra4")) ? 3 : 2;  // a layout of boxes alone holds two of these
+    for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386", "box8"}) {
+        if (held == 4 || !holds<Table>(shape(name))) continue;
         ++held;
         const Setting setting = make_setting<Table>(name);
         expect_every_regime(setting);
@@ -216,7 +217,7 @@ TYPED_TEST(RandomPairs, AnswersAreRightFromAnyStart) {
             [&]<class Algorithm>(Algorithm) { compare_random<Algorithm, TypeParam>(setting); });
         if constexpr (has_features<Table>) expect_vclip_stays<Table>(setting);
     }
-    EXPECT_GE(held, 3) << "bodies";
+    EXPECT_GE(held, least) << "bodies";
 }
 
 }  // namespace

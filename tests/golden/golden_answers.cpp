@@ -100,18 +100,22 @@ class TracePrint final : public measure::TraceListener {
     bench::Fingerprint& print_;
 };
 
-/// What every table type and algorithm reads and writes in a scene with a broad phase.
+/// What every table type and algorithm reads and writes in a scene with a broad phase, of cubes where the
+/// layout cannot hold a sphere.
 void add_traces(Prints& prints) {
-    auto body = scene::make_shape("sphere38");
-    if (!body) throw std::runtime_error(body.error);
     sweep::Plan plan = golden_plan();
     plan.queries = 600;
     const sweep::SceneChoice scene{"tumble", {{"bodies", 30}, {"in_time_order", 1}, {"rotation_step", 0.3}}};
-    const sweep::SharedQueries queries(plan, scene, {"sphere38", "built-in", std::move(*body), ""});
+    const auto asked = [&](const char* shape) {
+        return sweep::SharedQueries(plan, scene,
+                                    {shape, "built-in", scene::make_shape(shape).or_throw(), ""});
+    };
+    const sweep::SharedQueries spheres = asked("sphere38"), cubes = asked("cube8");
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
+            const bool holds = static_cast<bool>(type.stored_body(spheres.workload().bodies[0]));
             const auto runner = type.make_runner(algorithm);
-            const std::string error = runner->load(queries.workload());
+            const std::string error = runner->load((holds ? spheres : cubes).workload());
             if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
             TracePrint print(prints["trace " + type.name + " " + algorithm]);
             runner->trace(plan.queries, print);

@@ -264,6 +264,8 @@ edgewise_mutant(block_climb_takes_another_lanes_point algorithms/support.hpp [[b
     [[best = {block.vertex(lane), block.point(7 - lane), heights[lane]};]] FieldLayouts.Climb* ${unit}/layout_parts/field_layouts_test.cpp)
 edgewise_mutant(long_rings_end_at_their_first_block layouts/ring_block.hpp [[return vertex & more ? at(vertex & ~more, 0) : Place{block, lane, vertex};]]
     [[return Place{block, lane, vertex & ~more};]] FieldLayouts.Keep* ${unit}/layout_parts/field_layouts_test.cpp)
+edgewise_mutant(level_sides_of_boxes_overlooked layouts/box.hpp [[== top) best ^= axis;]] [[> top) best ^= axis;]]
+    Box.Finds* ${unit}/layout_parts/box_test.cpp)
 
 # Raw V-Clip
 edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return walk(a, b, nobody, true);]]

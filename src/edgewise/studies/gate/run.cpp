@@ -251,6 +251,7 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
     : shared_(plan_for(plan), {scene.kind, scene.parameters},
               {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
     for (const GateCellChoice& choice : cells_of(plan, scene)) {
+        if (!choice.type->stored_body(shared_.workload().bodies[0])) continue;  // not a body for this layout
         Cell cell{choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
                       (choice.axes.empty() ? "" : " " + choice.axes),
                   over_reference,
