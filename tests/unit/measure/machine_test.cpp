@@ -236,6 +236,8 @@ TEST_F(MachineTest, TheHostIsTheKindOfCoresThatTheProcessIsBoundTo) {
         binding_advice(cores({15, 16})),
         "bound to no kind of cores, so times mix several; host has the caches of 0-15; to measure these: "
         "taskset -c 0-15");
+    std::filesystem::remove_all(root_ / "sys/devices/system/cpu/cpu3");
+    EXPECT_EQ(processor_list(first_of({3, 20}).processors), "16-23") << "of the first that is described";
 }
 
 /// The topology as the program prints it; and the facts of a processor that this process may run on.

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -276,8 +277,8 @@ Expected<std::vector<CoreKind>> read_cores(const std::filesystem::path& root,
             if (const auto& list = caches[i].shared_cpus.value) kind->shared_by[i].insert(*list);
     }
     if (kinds.empty()) return Refusal{fmt::format("{}: no caches described", folder.string())};
-    std::ranges::stable_partition(kinds, [&](const CoreKind& kind) {
-        return !kind.allowed.empty() && kind.allowed.front() == allowed.front();
+    std::ranges::stable_sort(kinds, {}, [](const CoreKind& kind) {
+        return kind.allowed.empty() ? std::numeric_limits<std::int64_t>::max() : kind.allowed.front();
     });
     return {std::move(kinds)};
 }
