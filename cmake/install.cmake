@@ -19,7 +19,7 @@ if(TARGET edgewise_measure)
     install(FILES src/edgewise/measure/expected.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/edgewise/measure)
 endif()
 
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md docs/library.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS edgewise_library EXPORT edgewise_targets)

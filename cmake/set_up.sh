@@ -10,9 +10,11 @@ set -eu
 needed='g++ zlib1g-dev cmake ninja-build git ca-certificates libeigen3-dev libqhull-dev libassimp-dev libgmp-dev libsqlite3-dev
 nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-dev libgtest-dev libgmock-dev'
 # Formatting, linting, fuzzing; CGAL and Valgrind to check exact distances and modelled caches; a browser for the report's
-# page, and nodejs to control it; schedulers for the parts of a campaign; packaging; a compiler cache; other processors.
+# page, and nodejs to control it; schedulers for the parts of a campaign; packaging; the page of headers; a compiler cache;
+# other processors.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind chromium nodejs sqlite3
-parallel slurmctld slurmd slurm-client dpkg-dev lintian pkgconf ccache g++-aarch64-linux-gnu g++-riscv64-linux-gnu qemu-user'
+parallel slurmctld slurmd slurm-client dpkg-dev lintian doxygen python3 pkgconf ccache g++-aarch64-linux-gnu
+g++-riscv64-linux-gnu qemu-user'
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 # Engines that `edgewise record` runs: if EDGEWISE_ENGINES=ON is in the environment, and for tests.

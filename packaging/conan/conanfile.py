@@ -19,7 +19,7 @@ class Edgewise(ConanFile):
     def export_sources(self):
         tree = dirname(dirname(self.recipe_folder))
         for part in ("CMakeLists.txt", "LICENSE", "README.md", "cmake/*", "src/*", "layouts/*", "tests/consumer/*",
-                     "packaging/edgewise.pc.in"):
+                     "examples/*", "docs/library.md", "packaging/edgewise.pc.in"):
             copy(self, part, tree, self.export_sources_folder)
 
     def requirements(self):

@@ -162,7 +162,7 @@ std::vector<TextGrid> machine_grids(const FactsJson& machine) {
         return machine.is_object() && machine.contains(key) ? machine[key] : FactsJson();
     };
     FactsJson further = machine;
-    for (const char* apart : {"cpu", "caches", "counters", "unreadable"})
+    for (const char* apart : {"cpu", "caches", "cores", "counters", "unreadable"})
         if (further.is_object()) further.erase(apart);
     TextGrid caches = member_grid(
         part("caches"),
@@ -175,7 +175,12 @@ std::vector<TextGrid> machine_grids(const FactsJson& machine) {
     facts.rows.insert(facts.rows.end(), others.rows.begin(), others.rows.end());
     facts.caption = others.caption;
     facts.shown_rows = facts.rows.size();
-    return {std::move(facts), std::move(caches), std::move(counters)};
+    std::vector<TextGrid> grids = {std::move(facts), std::move(caches), std::move(counters)};
+    if (const FactsJson cores = part("cores"); !cores.empty()) {  // stores of earlier versions have none
+        grids.insert(grids.begin() + 1, member_grid(cores, "cores = processors|caches|allowed|bind"));
+        grids[1].caption = "Topology: cores with equal caches";
+    }
+    return grids;
 }
 
 TextGrid facts_grid(const ReportData& data) {

@@ -114,7 +114,8 @@ class Recorder {
             refuse("a step has pairs, and the recorder was made for none");
         if (begun_ && step.time < last_time_ && !step.jump) refuse("time goes back without a jump");
         const auto pair_text = [this](const Pair& pair, const std::string& at) {
-            return "[" + index(pair[0], bodies_, at) + "," + index(pair[1], bodies_, at);
+            std::string text = "[";
+            return text.append(index(pair[0], bodies_, at) + "," + index(pair[1], bodies_, at));
         };
         const std::string line =
             R"({"t":)" + number(step.time, "time") + list("poses", step.poses, pose_text) +
@@ -149,7 +150,7 @@ class Recorder {
     template <class Numbers>
     static std::string numbers(const Numbers& values, const std::string& what) {
         std::string text;
-        for (const Scalar value : values) text += (text.empty() ? "[" : ",") + number(value, what);
+        for (const Scalar value : values) text.append(text.empty() ? "[" : ",").append(number(value, what));
         return text + "]";
     }
     static std::string pose_text(const Pose& pose, const std::string& what) {

@@ -183,6 +183,20 @@ TEST(Machine, TellsCountersOrWhyNot) {
     }
 }
 
+TEST(Machine, SaysWhereItMayRun) {
+    const Folder folder;
+    if (run_in_shell("command -v taskset", {}, folder).exit_code != 0)
+        GTEST_SKIP() << "no taskset here (Debian: util-linux)";
+    const std::string allowed = json_of({"machine", "--json"})["cores"][0]["allowed"];
+    const std::string first = allowed.substr(0, allowed.find_first_of(",-"));
+    const Outcome bound = run_in_shell("taskset -c " + first + " \"$0\" machine --json", {}, folder);
+    ASSERT_EQ(bound.exit_code, 0) << bound.err;
+    const json machine = json::parse(bound.out);
+    EXPECT_EQ(machine["cores"][0]["allowed"], first);
+    EXPECT_THAT(machine["binding"].get<std::string>(),
+                testing::HasSubstr(machine["cores"].size() == 1 ? "taskset -c " + first : "bound to"));
+}
+
 TEST(Listings, AreForPeopleToo) {
     const Folder folder;
     for (const Arguments& arguments :

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Other libraries compared with ours: found, measured, checked and reported, each with right answers except
-// for its own mistakes; and the messages where there are none.
+// for its own mistakes, which are counted on the corpus; and the messages where there are none.
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli_paths.hpp"
 #include "program.hpp"
@@ -52,6 +54,52 @@ TEST(Peers, AreMeasuredAndJudgedBesideOurs) {
         << "libccd gives no distance";
     EXPECT_EQ(judged_whose("time.separated_ns", "> 0").size(), peers_built());
     EXPECT_THAT(judged_whose("bytes.table_bytes", "not between 24 * 4 and 4096"), IsEmpty());
+}
+
+/// How often a library got each verdict of `judge`.
+using Verdicts = std::map<std::string, int>;
+
+/// Asks the libraries that Debian has about every pair of the corpus, each in a process of its own.
+std::map<std::string, Verdicts> verdicts_on_the_corpus() {
+    const auto corpus = std::filesystem::path(options_file).parent_path() / "../tests/corpus";
+    const Folder folder;
+    std::map<std::string, Verdicts> found;
+    for (const char* file : {"own_failures.jsonl", "published_failures.jsonl"}) {
+        for (const std::string& line : lines_of(text_of(corpus / file))) {
+            folder.write("pair.json", line);
+            const Outcome outcome =
+                run({"judge", "pair.json", "--as-given", "--layouts", "aos_f64", "--algorithms", "vclip",
+                     "--peers", "bullet_epa2,bullet_pair_detector,fcl_indep,fcl_libccd,libccd", "--json"},
+                    folder);
+            EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << line << outcome.err;
+            if (outcome.out.empty()) continue;
+            const json judged = json::parse(outcome.out);
+            for (const json& answer : judged["answers"]) ++found[answer["who"]][answer["verdict"]];
+        }
+    }
+    return found;
+}
+
+/// Each row of the page: the library, then its wrong verdicts, wrong distances, and refusals.
+TEST(Peers, AreWrongOnTheCorpusAsOftenAsThePageSays) {
+    if (peers_built() == 0) GTEST_SKIP() << "built without EDGEWISE_PEERS";
+    const std::string page =
+        text_of(std::filesystem::path(options_file).parent_path() / "other_libraries.md");
+    std::size_t peers = 0;
+    for (auto& [who, verdicts] : verdicts_on_the_corpus()) {
+        int answers = 0;
+        for (const auto& [verdict, count] : verdicts) answers += count;
+        EXPECT_EQ(answers, 209) << who;
+        EXPECT_EQ(verdicts["no answer"], 0) << who;
+        if (who.find(" on ") != who.npos) continue;  // ours, which the tests of the corpus check
+        ++peers;
+        std::ostringstream row;
+        row << "| `" << who << "` | " << verdicts["wrong verdict"] << " | " << verdicts["wrong distance"]
+            << " | " << verdicts["refused"] << " |\n";
+        EXPECT_THAT(page, HasSubstr(row.str()))
+            << "if this is another version of the library, write its counts";
+    }
+    EXPECT_EQ(peers, 7U);
 }
 
 TEST(Peers, OneThatIsNotThereIsSaid) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The steps of docs/your_engine.md: record, sweep, read, lock. And the messages about an engine that is not
-// installed, a changed recording, and commands that take no recording.
+// The pages followed: the steps of docs/your_engine.md (record, sweep, read, lock), and each user's commands.
+// And the messages about an engine that is not installed, a changed recording, and commands that take no
+// recording.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -23,11 +24,11 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// The command lines of the page, without the program's name.
-std::vector<std::string> commands_of_the_page() {
+/// The command lines of a page, without the program's name.
+std::vector<std::string> commands_of(const std::filesystem::path& page) {
     std::vector<std::string> commands;
     constexpr std::string_view start = "    edgewise ";
-    for (const std::string& line : lines_of(text_of(engine_page)))
+    for (const std::string& line : lines_of(text_of(page)))
         if (line.starts_with(start)) commands.push_back(line.substr(start.size()));
     return commands;
 }
@@ -43,7 +44,7 @@ TEST(EnginePage, IsFollowed) {
         GTEST_SKIP() << "no engines here (Debian: libbullet-dev libmujoco-dev libmujoco-samples)";
     const Folder folder;
     std::string all;
-    for (const std::string& command : commands_of_the_page()) {
+    for (const std::string& command : commands_of(engine_page)) {
         const bool sweeps = command.starts_with("sweep");
         const std::string line =
             "$0 " + command +
@@ -58,6 +59,29 @@ TEST(EnginePage, IsFollowed) {
     EXPECT_THAT(all, AllOf(HasSubstr("stack.jsonl.gz: 120 steps"), HasSubstr("humanoids.jsonl.gz: 300 steps"),
                            HasSubstr("stack.lock.json: passed")));
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("stack"));
+}
+
+/// The commands that the page of commands gives to each kind of user. A sweep takes fewer rounds.
+TEST(UsersPage, IsFollowed) {
+    const std::filesystem::path page = std::filesystem::path(engine_page).parent_path() / "commands.md";
+    const Folder folder;
+    folder.write("my_link.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n");
+    std::string all;
+    for (const std::string& command : commands_of(page)) {
+        const bool sweeps = command.starts_with("sweep");
+        const Outcome outcome = run_in_shell(
+            "$0 " + command + (sweeps ? " --queries 500 --checked 50 --rounds 2 --no-report" : ""), {},
+            folder);
+        EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
+        if (sweeps) {
+            EXPECT_THAT(outcome.out,
+                        testing::ContainsRegex("^[1-9][0-9]* cells: .* 0 failed, 0 unavailable"));
+        }
+        all += outcome.out;
+    }
+    EXPECT_THAT(all, AllOf(HasSubstr("\"certificate\":{\"lower\":1.0,\"upper\":1.0}"),
+                           HasSubstr("ways to 168 bytes per edge")));
+    EXPECT_THAT(text_of(folder / "heat.svg"), HasSubstr("<svg"));
 }
 
 /// The header as the page shows it.

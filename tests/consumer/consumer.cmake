@@ -68,6 +68,19 @@ function(build_project NAME COMPILER FOLDER WORDS)
     endforeach()
 endfunction()
 
+# The recorder of an engine writes a recording of a scene: a twentieth of a second.
+function(check_recorder NAME FOLDER SCENE)
+    if(NOT EXISTS ${FOLDER}/${NAME})
+        message("${NAME} is not tried: its engine is not here (Debian: libbullet-dev, libmujoco-dev)")
+        return()
+    endif()
+    run("${NAME}.cpp" ${FOLDER}/${NAME} ${SCENE} 0.05)
+    if(NOT output MATCHES "^{\"format\":\"convex-motion\".*\n{\"t\":0,.*\n{\"t\":")
+        message(FATAL_ERROR "${NAME} prints:\n${output}")
+    endif()
+    message("${NAME}.cpp, built with the installed package, records ${SCENE}")
+endfunction()
+
 # Builds all programs with one compiler, and compares their output.
 function(check_consumer COMPILER FOLDER)
     build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp
@@ -83,6 +96,10 @@ function(check_consumer COMPILER FOLDER)
     expect_output("many_scales.cpp" ${built}/many_scales "separated 1.5;separated 0.5;overlapping 0")
     expect_output("query_batch.cpp" ${built}/query_batch "sum of distances 500500, as by single queries")
     expect_output("many_pairs.cpp" ${built}/many_pairs "500500 500500")
+    check_recorder(record_bullet ${built} stack)
+    file(WRITE ${SCRATCH}/box.xml "<mujoco><worldbody><geom type=\"box\" size=\"2 2 .1\"/><body pos=\"0 0 2\"><freejoint/>"
+        "<geom type=\"box\" size=\".1 .1 .1\"/></body></worldbody></mujoco>\n")
+    check_recorder(record_mujoco ${built} ${SCRATCH}/box.xml)
 endfunction()
 
 # Runs the project's ctest: EXPECTED is its exit code; every further word must occur in its output.

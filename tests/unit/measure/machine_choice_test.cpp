@@ -4,12 +4,14 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "../complaint.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
 namespace {
@@ -34,8 +36,10 @@ class MachineChoices : public testing::Test {
         return complaint_of<std::exception>([&] { return choose_machines(names); });
     }
     /// Writes the description of one cache, in the format of sysfs.
-    void add_cache(int index, const std::string& type, int level, const std::string& size, int ways) const {
-        const std::string at = "sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+    void add_cache(int index, const std::string& type, int level, const std::string& size, int ways,
+                   std::int64_t processor = 0) const {
+        const std::string at = "sys/devices/system/cpu/cpu" + std::to_string(processor) + "/cache/index" +
+                               std::to_string(index) + "/";
         file(at + "type", type);
         file(at + "level", std::to_string(level));
         file(at + "size", size);
@@ -97,6 +101,17 @@ TEST_F(MachineChoices, TakeTheHostFromSysfs) {
     EXPECT_EQ(host.value->caches.levels[0].sets, 64U);
     EXPECT_EQ(host.value->caches.levels[1].ways, 16U);
     EXPECT_FALSE(host.value->latencies_known());
+}
+
+/// The processors below and above it have other caches.
+TEST_F(MachineChoices, TakeTheHostFromTheProcessorThatTheProcessMayRunOn) {
+    const std::int64_t here = allowed_processors().at(0);
+    for (const std::int64_t processor : {std::max(here - 1, std::int64_t{0}), here + 1, here})
+        add_cache(0, "Data", 1, processor == here ? "32K" : "48K", processor == here ? 8 : 12, processor);
+    const auto host = host_machine(folder_);
+    ASSERT_TRUE(host.value) << host.reason;
+    EXPECT_EQ(host.value->caches.levels[0].ways, 8U);
+    EXPECT_EQ(host.value->what, "this machine, as the kernel reports it: processors " + std::to_string(here));
 }
 
 /// Linux reports two caches of level 1 for Intel's Lion Cove: 48K, then 192K.

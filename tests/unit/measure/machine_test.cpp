@@ -9,7 +9,9 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "edgewise/measure/machine/machine_json.hpp"
 
@@ -94,6 +96,12 @@ TEST(Cpu, ReadsArm) {
     EXPECT_FALSE(cpu.name.value || cpu.cores.value || cpu.hypervisor.value);
 }
 
+TEST(Cpu, IsTheNamedProcessor) {
+    EXPECT_EQ(parse_cpu(intel_cpuinfo, 1).vector_extensions, std::vector<std::string>{"sse2"});
+    EXPECT_EQ(parse_cpu(intel_cpuinfo, 9).model.value, 85) << "the first where that one is not listed";
+    EXPECT_EQ(parse_cpu(intel_cpuinfo, 1).threads, 3);
+}
+
 TEST(Cpu, KnowsNothingFromNothing) {
     const Cpu cpu = parse_cpu("garbage\n: :\n");
     EXPECT_FALSE(cpu.vendor.value || cpu.family.value || cpu.cores.value || cpu.hypervisor.value);
@@ -115,15 +123,39 @@ class MachineTest : public testing::Test {
         std::filesystem::create_directories((root_ / file).parent_path());
         std::ofstream(root_ / file) << text << '\n';
     }
-    void write_cache(int index, const char* level, const char* type, const char* size,
-                     const char* ways) const {
-        const std::string directory = "sys/devices/system/cpu/cpu0/cache/index" + std::to_string(index) + "/";
+    void write_cache(int index, const char* level, const char* type, const char* size, const char* ways,
+                     int processor = 0, const std::string& shared_by = "0-3") const {
+        const std::string directory = "sys/devices/system/cpu/cpu" + std::to_string(processor) +
+                                      "/cache/index" + std::to_string(index) + "/";
         write(directory + "level", level);
         write(directory + "type", type);
         write(directory + "size", size);
         write(directory + "ways_of_associativity", ways);
         write(directory + "coherency_line_size", "64");
-        write(directory + "shared_cpu_list", "0-3");
+        write(directory + "shared_cpu_list", shared_by);
+    }
+    /// An i9-12900K as Linux describes it: 8 cores of 2 threads, and 8 small cores, which share an L2 by
+    /// four.
+    void write_hybrid() const {
+        for (int i = 0; i < 24; ++i) {
+            const bool large = i < 16;
+            const auto shared = [i](int threads) {
+                return std::to_string(i / threads * threads) +
+                       (threads > 1 ? "-" + std::to_string(i / threads * threads + threads - 1) : "");
+            };
+            write_cache(0, "1", "Data", large ? "48K" : "32K", large ? "12" : "8", i, shared(large ? 2 : 1));
+            write_cache(1, "1", "Instruction", large ? "32K" : "64K", "8", i, shared(large ? 2 : 1));
+            write_cache(2, "2", "Unified", large ? "1280K" : "2048K", large ? "10" : "16", i,
+                        shared(large ? 2 : 4));
+            write_cache(3, "3", "Unified", "30720K", "12", i, "0-23");
+            write("sys/devices/system/cpu/cpu" + std::to_string(i) + "/cpufreq/scaling_governor",
+                  large ? "performance" : "powersave");
+        }
+        write("sys/devices/system/cpu/cpufreq/boost", "1");  // further folders whose names begin with cpu
+        write("sys/devices/system/cpu/cpuidle/current_driver", "intel_idle");
+    }
+    [[nodiscard]] std::vector<CoreKind> cores(const std::vector<std::int64_t>& allowed) const {
+        return read_cores(root_, allowed).value.value_or(std::vector<CoreKind>());
     }
     void write_machine() const {
         write("proc/cpuinfo", intel_cpuinfo);
@@ -153,17 +185,19 @@ TEST_F(MachineTest, ReadsAMadeUpMachine) {
     EXPECT_EQ(machine.governor.value, "performance");
     EXPECT_EQ(machine.turbo.value, false);
     EXPECT_EQ(machine.clock_source.value, "hpet");
-    ASSERT_TRUE(machine.caches.value);
-    ASSERT_EQ(machine.caches.value->size(), 2u);
-    const Cache& first = machine.caches.value->at(0);
+    ASSERT_TRUE(machine.cores.value);
+    ASSERT_EQ(machine.cores.value->size(), 1u);
+    const std::vector<Cache>& caches = machine.cores.value->front().caches;
+    ASSERT_EQ(caches.size(), 2u);
+    const Cache& first = caches[0];
     EXPECT_EQ(first.level.value, 1);
     EXPECT_EQ(first.type.value, "Data");
     EXPECT_EQ(first.bytes.value, 49152);
     EXPECT_EQ(first.ways.value, 12);
     EXPECT_EQ(first.line_bytes.value, 64);
     EXPECT_EQ(first.shared_cpus.value, "0-3");
-    EXPECT_FALSE(first.sets.value);                        // no such file
-    EXPECT_FALSE(machine.caches.value->at(1).ways.value);  // 0 means that the kernel does not know
+    EXPECT_FALSE(first.sets.value);      // no such file
+    EXPECT_FALSE(caches[1].ways.value);  // 0 means that the kernel does not know
 }
 
 TEST_F(MachineTest, WritesAMadeUpMachineAsJson) {
@@ -176,6 +210,60 @@ TEST_F(MachineTest, WritesAMadeUpMachineAsJson) {
     EXPECT_TRUE(j["unreadable"].contains("caches[1].ways"));
     EXPECT_EQ(j["turbo"], false);
     EXPECT_FALSE(j["unreadable"].contains("turbo"));
+}
+
+TEST_F(MachineTest, TheHostIsTheKindOfCoresThatTheProcessIsBoundTo) {
+    write_hybrid();
+    const auto first_of = [&](const std::vector<std::int64_t>& allowed) {
+        const std::vector<CoreKind> kinds = cores(allowed);
+        EXPECT_EQ(kinds.size(), 2u);
+        return kinds.front();
+    };
+    for (const std::vector<std::int64_t>& allowed : {std::vector<std::int64_t>{20}, {17, 18, 23}}) {
+        const CoreKind small = first_of(allowed);
+        EXPECT_EQ(processor_list(small.processors), "16-23");
+        EXPECT_EQ(small.allowed, allowed);
+        EXPECT_EQ(small.caches[0].bytes.value, 32 * 1024);
+        EXPECT_EQ(small.shared_by[2], (std::set<std::string>{"16-19", "20-23"}));
+        EXPECT_EQ(binding_advice(cores(allowed)), "bound to cores of one kind, 16-23; host has their caches");
+    }
+    for (const std::vector<std::int64_t>& allowed : {std::vector<std::int64_t>{3}, {15, 16}, {}}) {
+        const CoreKind large = first_of(allowed);
+        EXPECT_EQ(processor_list(large.processors), "0-15");
+        EXPECT_EQ(large.caches[2].bytes.value, 1280 * 1024);
+    }
+    EXPECT_EQ(
+        binding_advice(cores({15, 16})),
+        "bound to no kind of cores, so times mix several; host has the caches of 0-15; to measure these: "
+        "taskset -c 0-15");
+    std::filesystem::remove_all(root_ / "sys/devices/system/cpu/cpu3");
+    EXPECT_EQ(processor_list(first_of({3, 20}).processors), "16-23") << "of the first that is described";
+}
+
+/// The topology as the program prints it; and the facts of a processor that this process may run on.
+TEST_F(MachineTest, DrawsTheTopologyOfAHybridMachine) {
+    write_hybrid();
+    Machine machine = read_machine(root_);
+    EXPECT_EQ(machine.governor.value, allowed_processors().front() < 16 ? "performance" : "powersave");
+    machine.cores = {cores({17})};
+    const json j = machine_json(machine, {});
+    EXPECT_EQ(j["cores"][0], json({{"processors", "16-23"},
+                                   {"allowed", "17"},
+                                   {"caches", "8 x L1D 32K, 8 x L1I 64K, 2 x L2 2M, L3 30M of 0-23"},
+                                   {"bind", "taskset -c 16-23"}}));
+    EXPECT_EQ(j["cores"][1]["caches"], "8 x L1D 48K, 8 x L1I 32K, 8 x L2 1280K, L3 30M of 0-23");
+    EXPECT_EQ(j["cores"][1]["allowed"], "");
+    EXPECT_EQ(j["caches"][2]["bytes"], 2048 * 1024);
+    machine.cores = {cores({18, 20})};
+    EXPECT_EQ(machine_identity(machine_json(machine, {})), machine_identity(j)) << "another core of the kind";
+    machine.cores = {cores({2})};
+    EXPECT_NE(machine_identity(machine_json(machine, {})), machine_identity(j));
+}
+
+TEST(Processors, AreListedAsTasksetTakesThem) {
+    EXPECT_EQ(processor_list(std::vector<std::int64_t>{}), "");
+    EXPECT_EQ(processor_list(std::vector<std::int64_t>{7}), "7");
+    EXPECT_EQ(processor_list(std::vector<std::int64_t>{0, 1, 2, 4, 6, 7}), "0-2,4,6-7");
 }
 
 TEST_F(MachineTest, BoostIsTheOtherSwitch) {
@@ -198,6 +286,7 @@ TEST_F(MachineTest, NothingReadableMeansNullsWithReasons) {
     }
     EXPECT_TRUE(j["caches"].empty());
     EXPECT_TRUE(j["unreadable"].contains("caches"));
+    EXPECT_TRUE(j["binding"].is_null() && j["unreadable"].contains("binding"));
 }
 
 TEST(Machine, AgreesWithTheSystemCallsHere) {
@@ -212,6 +301,9 @@ TEST(Machine, AgreesWithTheSystemCallsHere) {
         EXPECT_GE(machine.cpu.threads, *machine.cpu.cores.value);
         EXPECT_LE(machine.cpu.threads, sysconf(_SC_NPROCESSORS_CONF));
     }
+    const std::vector<std::int64_t> allowed = allowed_processors();
+    EXPECT_GE(allowed.size(), 1u);
+    EXPECT_LE(static_cast<std::int64_t>(allowed.size()), sysconf(_SC_NPROCESSORS_CONF));
 }
 
 TEST(Machine, IdentityIsTheSameInEveryRun) {

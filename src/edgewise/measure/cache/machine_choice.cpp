@@ -41,7 +41,7 @@ void add_level(int level, std::uint64_t bytes, CacheMachine& machine) {
 }
 
 constexpr const char* source =
-    "/sys/devices/system/cpu/cpu0/cache (in a virtual machine: what the host lets it see)";
+    "/sys/devices/system/cpu/cpu*/cache (in a virtual machine: what the host lets it see)";
 
 /// Adds a level to the machine. Returns why a model cannot use the kernel's numbers; empty if it can.
 std::string add_level(const Cache& cache, CacheMachine& machine) {
@@ -154,13 +154,15 @@ CacheMachine machine_of_sizes(const std::string& text) {
 }
 
 Expected<CacheMachine> host_machine(const std::filesystem::path& root) {
-    const Expected<std::vector<Cache>> caches = read_caches(root);
-    if (!caches.value) return caches.refusal();
+    const Expected<std::vector<CoreKind>> cores = read_cores(root);
+    if (!cores.value) return cores.refusal();
     CacheMachine machine;
     machine.name = "host";
     machine.what = "this machine, as the kernel reports it";
+    if (cores.value->size() > 1)
+        machine.what += ": processors " + processor_list(cores.value->front().processors);
     machine.memory.source = source;
-    for (const Cache& cache : *caches.value) {
+    for (const Cache& cache : cores.value->front().caches) {
         if (cache.type.value.value_or("") == "Instruction") continue;
         if (const std::string problem = add_level(cache, machine); !problem.empty()) return Refusal{problem};
     }

@@ -47,8 +47,8 @@ struct MachineChoice {
 /// Machines for figures that must be the same everywhere: throws std::invalid_argument for `host` too.
 [[nodiscard]] std::vector<CacheMachine> described_machines(const std::vector<std::string>& names);
 
-/// This machine as one to model: sizes, ways and line from sysfs. The kernel does not report latencies,
-/// inclusion or replacement of the levels: latencies are left out, and the model's defaults
+/// This machine as one to model: sizes, ways and line of the first kind of read_cores. The kernel reports no
+/// latencies, inclusion or replacement of the levels: latencies are left out, and the model's defaults
 /// (non-inclusive, LRU) are marked as unverified. `root` is "/" except in tests.
 [[nodiscard]] Expected<CacheMachine> host_machine(const std::filesystem::path& root = "/");
 

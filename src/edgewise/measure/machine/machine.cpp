@@ -2,10 +2,11 @@
 //
 // Reads /proc and /sys (Documentation/admin-guide of the Linux kernel) and asks two system calls. Files there
 // have no size, so they are read to their end. /proc/cpuinfo has blocks of "key : value" lines, one block per
-// logical processor; on a hybrid processor the blocks differ, and the first one is described.
+// logical processor; on a hybrid machine the blocks and the caches of processors differ.
 #include "edgewise/measure/machine/machine.hpp"
 
 #include <fmt/core.h>
+#include <sched.h>
 #include <sys/personality.h>
 #include <unistd.h>
 
@@ -15,10 +16,12 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace edgewise::measure {
@@ -81,9 +84,9 @@ constexpr const char* known_extensions[] = {
     "f16c",        "bmi2",       "avx_vnni", "avx512f", "avx512dq", "avx512bw", "avx512vl",
     "avx512_vnni", "avx512vbmi", "amx_tile", "asimd",   "asimdhp",  "sve",      "sve2"};
 
-Cpu read_cpu(const std::filesystem::path& root) {
+Cpu read_cpu(const std::filesystem::path& root, std::int64_t processor) {
     const Expected<std::string> text = read_text(root / "proc/cpuinfo");
-    Cpu cpu = parse_cpu(text.value.value_or(""));
+    Cpu cpu = parse_cpu(text.value.value_or(""), processor);
     if (!text.value) {
         for (Expected<std::string>* fact : {&cpu.vendor, &cpu.name}) fact->reason = text.reason;
         for (Expected<std::int64_t>* fact : {&cpu.family, &cpu.model, &cpu.stepping, &cpu.cores}) {
@@ -149,6 +152,34 @@ Cache read_cache(const std::filesystem::path& index) {
     return cache;
 }
 
+std::vector<Cache> read_caches(const std::filesystem::path& processor) {
+    std::vector<Cache> caches;
+    std::error_code error;
+    const auto index = [&] { return processor / fmt::format("cache/index{}", caches.size()); };
+    while (std::filesystem::is_directory(index(), error)) caches.push_back(read_cache(index()));
+    return caches;
+}
+
+bool is_alike(const Cache& a, const Cache& b) {
+    const auto facts = [](const Cache& cache) {
+        return std::tie(cache.level.value, cache.type.value, cache.bytes.value, cache.ways.value,
+                        cache.line_bytes.value);
+    };
+    return facts(a) == facts(b);
+}
+
+/// The numbers of the folders cpu0, cpu1, ... in ascending order.
+std::set<std::int64_t> processors_of(const std::filesystem::path& folder) {
+    std::set<std::int64_t> numbers;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename();
+        const auto number = name.starts_with("cpu") ? parse_number(name.substr(3)) : std::nullopt;
+        if (number) numbers.insert(*number);
+    }
+    return numbers;
+}
+
 }  // namespace
 
 Expected<std::string> read_text(const std::filesystem::path& file) {
@@ -184,9 +215,11 @@ std::optional<std::int64_t> parse_number(std::string text) {
     return value * factor;
 }
 
-Cpu parse_cpu(std::string_view cpuinfo) {
+Cpu parse_cpu(std::string_view cpuinfo, std::int64_t processor) {
     const std::vector<Keys> blocks = parse_blocks(cpuinfo);
-    const Keys keys = blocks.empty() ? Keys{} : blocks.front();
+    Keys keys = blocks.empty() ? Keys{} : blocks.front();
+    for (const Keys& block : blocks)
+        if (block.at("processor") == std::to_string(processor)) keys = block;
     Cpu cpu;
     cpu.vendor = find_text(keys, "vendor_id", "CPU implementer");
     cpu.name = find_text(keys, "model name", "model name");
@@ -208,26 +241,75 @@ Cpu parse_cpu(std::string_view cpuinfo) {
     return cpu;
 }
 
-Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root) {
-    const std::filesystem::path directory = root / "sys/devices/system/cpu/cpu0/cache";
-    std::vector<Cache> caches;
-    std::error_code error;
-    const auto index = [&] { return directory / fmt::format("index{}", caches.size()); };
-    while (std::filesystem::is_directory(index(), error)) caches.push_back(read_cache(index()));
-    if (caches.empty()) return Refusal{fmt::format("{}: no caches described", directory.string())};
-    return {std::move(caches)};
+std::vector<std::int64_t> allowed_processors() {
+    cpu_set_t mask;
+    if (sched_getaffinity(0, sizeof mask, &mask) != 0) return {};
+    std::vector<std::int64_t> allowed;
+    for (int i = 0; i < CPU_SETSIZE; ++i)
+        if (CPU_ISSET(i, &mask)) allowed.push_back(i);
+    return allowed;
+}
+
+std::string processor_list(std::span<const std::int64_t> processors) {
+    std::string list;
+    for (std::size_t first = 0, last = 0; first < processors.size(); first = ++last) {
+        while (last + 1 < processors.size() && processors[last + 1] == processors[last] + 1) ++last;
+        list += fmt::format("{}{}", first == 0 ? "" : ",", processors[first]);
+        if (last > first) list += fmt::format("-{}", processors[last]);
+    }
+    return list;
+}
+
+Expected<std::vector<CoreKind>> read_cores(const std::filesystem::path& root,
+                                           std::span<const std::int64_t> allowed) {
+    const std::filesystem::path folder = root / "sys/devices/system/cpu";
+    std::vector<CoreKind> kinds;
+    for (const std::int64_t processor : processors_of(folder)) {
+        const std::vector<Cache> caches = read_caches(folder / fmt::format("cpu{}", processor));
+        if (caches.empty()) continue;
+        auto kind = std::ranges::find_if(
+            kinds, [&](const CoreKind& other) { return std::ranges::equal(other.caches, caches, is_alike); });
+        if (kind == kinds.end())
+            kind = kinds.insert(kind, {{}, {}, caches, std::vector<std::set<std::string>>(caches.size())});
+        kind->processors.push_back(processor);
+        if (std::ranges::find(allowed, processor) != allowed.end()) kind->allowed.push_back(processor);
+        for (std::size_t i = 0; i < caches.size(); ++i)
+            if (const auto& list = caches[i].shared_cpus.value) kind->shared_by[i].insert(*list);
+    }
+    if (kinds.empty()) return Refusal{fmt::format("{}: no caches described", folder.string())};
+    std::ranges::stable_sort(kinds, {}, [](const CoreKind& kind) {
+        return kind.allowed.empty() ? std::numeric_limits<std::int64_t>::max() : kind.allowed.front();
+    });
+    return {std::move(kinds)};
+}
+
+std::string binding_advice(std::span<const CoreKind> kinds) {
+    const CoreKind& here = kinds.front();
+    if (kinds.size() == 1)
+        return fmt::format("all cores have equal caches; to keep a measurement on one: taskset -c {}",
+                           (here.allowed.empty() ? here.processors : here.allowed).back());
+    const auto allowed = std::ranges::count_if(kinds, [](const auto& kind) { return !kind.allowed.empty(); });
+    if (allowed == 1)
+        return fmt::format("bound to cores of one kind, {}; host has their caches",
+                           processor_list(here.processors));
+    return fmt::format(
+        "bound to no kind of cores, so times mix several; host has the caches of {}; to measure these: "
+        "taskset -c {}",
+        processor_list(here.processors), processor_list(here.processors));
 }
 
 Machine read_machine(const std::filesystem::path& root) {
     Machine machine;
-    machine.cpu = read_cpu(root);
-    machine.caches = read_caches(root);
+    machine.cores = read_cores(root);
+    const std::int64_t here = machine.cores.value ? machine.cores.value->front().processors.front() : 0;
+    machine.cpu = read_cpu(root, here);
     machine.page_bytes = {sysconf(_SC_PAGESIZE)};
     machine.memory_bytes = read_memory(root);
     machine.kernel = read_text(root / "proc/sys/kernel/osrelease");
     machine.clock_source =
         read_text(root / "sys/devices/system/clocksource/clocksource0/current_clocksource");
-    machine.governor = read_text(root / "sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    machine.governor =
+        read_text(root / fmt::format("sys/devices/system/cpu/cpu{}/cpufreq/scaling_governor", here));
     machine.turbo = read_turbo(root);
     machine.aslr = read_number(root / "proc/sys/kernel/randomize_va_space");
     machine.aslr_this_process = read_own_aslr();

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,9 +40,10 @@ struct Cpu {
     Expected<bool> hypervisor;                   ///< x86 only: the flag that shows a guest that it is one
 };
 
-[[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo);
+/// Returns the facts of one logical processor; of the first one in the text if the text lacks its number.
+[[nodiscard]] Cpu parse_cpu(std::string_view cpuinfo, std::int64_t processor = 0);
 
-/// A cache of the first processor, as the kernel reports it in sysfs (Documentation/ABI/testing/
+/// A cache of one processor, as the kernel reports it in sysfs (Documentation/ABI/testing/
 /// sysfs-devices-system-cpu). In a virtual machine the hypervisor chooses what is reported.
 struct Cache {
     Expected<std::int64_t> level, bytes, ways, line_bytes, sets;
@@ -48,13 +51,21 @@ struct Cache {
     Expected<std::string> shared_cpus;  ///< logical processors that share it, e.g. "0-7"
 };
 
+/// Logical processors with equal caches. A hybrid machine has several kinds.
+struct CoreKind {
+    std::vector<std::int64_t> processors;          ///< in ascending order
+    std::vector<std::int64_t> allowed;             ///< those of them on which this process may run
+    std::vector<Cache> caches;                     ///< of the first, in the order of sysfs (level 1 first)
+    std::vector<std::set<std::string>> shared_by;  ///< of each cache: a list of processors for each copy
+};
+
 struct Machine {
-    Cpu cpu;
-    Expected<std::vector<Cache>> caches;
+    Cpu cpu;                                ///< of the first kind of cores
+    Expected<std::vector<CoreKind>> cores;  ///< as read_cores returns them
     Expected<std::int64_t> page_bytes, memory_bytes;
     Expected<std::string> kernel;
     Expected<std::string> clock_source;            ///< "tsc" is cheap to read, "hpet" or "acpi_pm" are not
-    Expected<std::string> governor;                ///< of the first processor's clock
+    Expected<std::string> governor;                ///< of the clock of the first kind's first processor
     Expected<bool> turbo;                          ///< may the clock exceed the nominal rate
     Expected<std::int64_t> aslr;                   ///< the system's: 0 off, 1 without the heap, 2 all
     Expected<bool> aslr_this_process;              ///< false under `setarch -R` and some debuggers
@@ -62,8 +73,19 @@ struct Machine {
     Expected<std::int64_t> perf_event_paranoid;
 };
 
-/// Caches in the order of sysfs (level 1 first). `root` is "/" except in tests, here and below.
-[[nodiscard]] Expected<std::vector<Cache>> read_caches(const std::filesystem::path& root);
+/// Logical processors on which this thread may run (taskset), in ascending order; empty if that is not known.
+[[nodiscard]] std::vector<std::int64_t> allowed_processors();
+
+/// Processors as taskset takes them: "0-3,8".
+[[nodiscard]] std::string processor_list(std::span<const std::int64_t> processors);
+
+/// The kinds of cores: first the kind of the first allowed processor, whose caches `host` has, then the
+/// others by their first processors. `root` is "/" except in tests, here and below.
+[[nodiscard]] Expected<std::vector<CoreKind>> read_cores(
+    const std::filesystem::path& root = "/", std::span<const std::int64_t> allowed = allowed_processors());
+
+/// One line: how to bind a measurement to cores of one kind.
+[[nodiscard]] std::string binding_advice(std::span<const CoreKind> kinds);
 
 [[nodiscard]] Machine read_machine(const std::filesystem::path& root = "/");
 

@@ -4,7 +4,8 @@
 // path.
 #include "edgewise/measure/machine/machine_json.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace edgewise::measure {
 
@@ -36,13 +37,9 @@ json cpu_json(const Cpu& cpu, json& reasons) {
     return result;
 }
 
-json caches_json(const Expected<std::vector<Cache>>& caches, json& reasons) {
+json caches_json(const std::vector<Cache>& caches, json& reasons) {
     json result = json::array();
-    if (!caches.value) {
-        reasons["caches"] = caches.reason;
-        return result;
-    }
-    for (const Cache& cache : *caches.value) {
+    for (const Cache& cache : caches) {
         json row;
         const auto put = fact_writer(row, reasons, fmt::format("caches[{}].", result.size()));
         put("level", cache.level);
@@ -53,6 +50,36 @@ json caches_json(const Expected<std::vector<Cache>>& caches, json& reasons) {
         put("sets", cache.sets);
         put("shared_cpus", cache.shared_cpus);
         result.push_back(std::move(row));
+    }
+    return result;
+}
+
+/// "8 x L2 2M"; "L3 36M of 0-23" of the only copy.
+std::string cache_text(const Cache& cache, const std::set<std::string>& shared_by) {
+    constexpr std::int64_t kibibyte = 1024, mebibyte = kibibyte * kibibyte;
+    const std::int64_t bytes = cache.bytes.value.value_or(0);
+    const bool is_whole = bytes % mebibyte == 0;
+    const std::string type = cache.type.value.value_or("Unified").substr(0, 1);
+    const std::string text = fmt::format(
+        "L{}{} {}", cache.level.value.value_or(0), type == "U" ? "" : type,
+        bytes == 0 ? "of unknown size"
+                   : fmt::format("{}{}", bytes / (is_whole ? mebibyte : kibibyte), is_whole ? "M" : "K"));
+    if (shared_by.size() == 1) return fmt::format("{} of {}", text, *shared_by.begin());
+    return shared_by.empty() ? text : fmt::format("{} x {}", shared_by.size(), text);
+}
+
+/// The topology: a row for each kind of cores.
+json cores_json(const std::vector<CoreKind>& kinds) {
+    json result = json::array();
+    for (const CoreKind& kind : kinds) {
+        std::vector<std::string> caches;
+        for (std::size_t i = 0; i < kind.caches.size(); ++i)
+            caches.push_back(cache_text(kind.caches[i], kind.shared_by[i]));
+        const std::string processors = processor_list(kind.processors);
+        result.push_back({{"processors", processors},
+                          {"allowed", processor_list(kind.allowed)},
+                          {"caches", fmt::format("{}", fmt::join(caches, ", "))},
+                          {"bind", "taskset -c " + processors}});
     }
     return result;
 }
@@ -89,7 +116,11 @@ json machine_json(const Machine& machine, const std::vector<CounterRecord>& coun
     json reasons = json::object();
     const auto put = fact_writer(result, reasons, "");
     result["cpu"] = cpu_json(machine.cpu, reasons);
-    result["caches"] = caches_json(machine.caches, reasons);
+    const auto kinds = machine.cores.value.value_or(std::vector<CoreKind>());
+    result["cores"] = cores_json(kinds);
+    result["caches"] = caches_json(kinds.empty() ? std::vector<Cache>() : kinds.front().caches, reasons);
+    result["binding"] = kinds.empty() ? json(nullptr) : json(binding_advice(kinds));
+    if (kinds.empty()) reasons["caches"] = reasons["binding"] = machine.cores.reason;
     put("page_bytes", machine.page_bytes);
     put("memory_bytes", machine.memory_bytes);
     put("kernel", machine.kernel);
@@ -110,7 +141,8 @@ json machine_json(const Machine& machine, const std::vector<CounterRecord>& coun
 
 std::string machine_identity(const json& machine) {
     json identity = machine;
-    for (const char* key : {"counters", "counted_over", "perf_event_paranoid", "memory_bytes", "unreadable"})
+    for (const char* key : {"counters", "counted_over", "perf_event_paranoid", "memory_bytes", "unreadable",
+                            "cores", "binding"})
         identity.erase(key);
     return identity.dump();
 }

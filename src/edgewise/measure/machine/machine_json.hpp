@@ -2,9 +2,9 @@
 //
 // The machine as JSON: what `edgewise machine --json` prints and what a store keeps with each build.
 //
-//     {"cpu":{...},"caches":[{...}],"page_bytes",...,"counters":[{"event","status","by","encoding","level",
-//      "meaning","unit","value","errno","reason","remedy"}],"counted_over":text,
-//      "unreadable":{"governor":"why it is null",...}}
+//     {"cpu":{...},"caches":[{...}],"cores":[{"processors":"0-15","allowed","caches","bind"}],"binding":advice,
+//      "page_bytes",...,"counters":[{"event","status","by","encoding","level","meaning","unit","value","errno",
+//      "reason","remedy"}],"counted_over":text,"unreadable":{"governor":"why it is null",...}}
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,8 @@ namespace edgewise::measure {
 [[nodiscard]] nlohmann::json machine_json(const Machine& machine, const std::vector<CounterRecord>& counters);
 
 /// The part that makes two machines the same one, as text to hash: without the counts, which differ from run
-/// to run, and the memory, which differs from boot to boot.
+/// to run, the memory, which differs from boot to boot, and the cores that the process is bound to, except
+/// for their caches.
 [[nodiscard]] std::string machine_identity(const nlohmann::json& machine);
 
 }  // namespace edgewise::measure
