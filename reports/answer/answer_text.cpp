@@ -288,8 +288,15 @@ AnswerJson ranked_json(const RankedCell& cell) {
             {"error", or_null(cell.worst_error)}};
 }
 
-std::string advise_command(const Answer& answer, std::optional<bool> own_tables) {
+std::string measuring_command(const Answer& answer, std::optional<bool> own_tables) {
     if (!own_tables) own_tables = answer.question.own_tables;
+    if (!answer.recording.empty()) {
+        const std::string sweep = "edgewise sweep --layouts all --scenes ";
+        if (!own_tables.value_or(false)) return sweep + answer.recording;
+        const AnswerJson file = {
+            {"scene", "recorded"}, {"recording", answer.recording}, {"parameters", {{"own_tables", 1}}}};
+        return sweep + "own_tables.json, a file with " + file.dump();
+    }
     std::string command = "edgewise advise";
     if (!answer.source.empty())
         command += " --shape " + (answer.source == "built-in" ? answer.shape : answer.source);
@@ -309,7 +316,7 @@ AnswerJson answer_json(const Answer& answer) {
         {"dropped", AnswerJson::array()},
         {"changes_it", AnswerJson::array()},
         {"held", nullptr},
-        {"command", advise_command(answer)},
+        {"command", measuring_command(answer)},
         {"noise", noise_json(answer)}};
     json["scenes"] = AnswerJson::array();
     for (const SceneRanking* scene : answer.scenes()) json["scenes"].push_back(scene_json(*scene));

@@ -83,7 +83,7 @@ std::string bytes_fact(const RankedCell& cell) {
 Decision decision_of(const Answer& answer, bool own_tables) {
     const std::vector<SceneRanking>& scenes = own_tables ? answer.own : answer.shared;
     const std::optional<Recommendation> take = recommendation_of(scenes);
-    if (!take) return {{}, why_nothing_is_taken(scenes, advise_command(answer, own_tables))};
+    if (!take) return {{}, why_nothing_is_taken(scenes, measuring_command(answer, own_tables))};
     if (take->scenes.front().scene->too_noisy)
         return {{}, {"too noisy to choose by: the winner's interval spans more than a factor of 2"}};
     const RankedCell& cell = take->example();

@@ -104,7 +104,7 @@ std::string repeat_markdown(const ReportData& data, const Answer& answer) {
         out += fmt::format("    edgewise {}    # {}{}\n", run.command, run.started,
                            run.finished() ? "" : ", not finished");
     if (out.empty()) out = "    layouts/sweep    # the store does not say with which options\n";
-    out += "    " + advise_command(answer) + "\n\n";
+    out += "    " + measuring_command(answer) + "\n\n";
     return out + fmt::format("{}; {} {}, {}; revision {}.\n", machine_text(data),
                              markdown_text(data.build.compiler), data.build.build_type,
                              markdown_text(data.build.flags), data.build.git_revision);

@@ -270,7 +270,7 @@ std::string answers_data(const ReportData& data) {
                 html.push_back(at->second);
             }
             answers[shape + " " + limit_text(limit)] = {
-                {"title", title_of(limit)}, {"command", advise_command(answer)}, {"html", html}};
+                {"title", title_of(limit)}, {"command", measuring_command(answer)}, {"html", html}};
         }
     }
     return input::json_text(nlohmann::ordered_json{{"lines", lines}, {"answers", answers}});
