@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "edgewise/reports/answer/answer.hpp"
-#include "edgewise/studies/advise/race_plan.hpp"
 #include "edgewise/studies/advise/screen.hpp"
 
 namespace edgewise::cli {

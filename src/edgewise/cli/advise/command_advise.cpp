@@ -18,7 +18,6 @@
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/studies/advise/race_plan.hpp"
 
 namespace edgewise::cli {
 

@@ -16,7 +16,6 @@
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/studies/advise/race_plan.hpp"
 
 namespace edgewise::cli {
 

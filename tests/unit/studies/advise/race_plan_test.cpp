@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How much of a race fits into a time: never more than fits, and as much as does.
-#include "edgewise/studies/advise/race_plan.hpp"
+#include "edgewise/studies/advise/screen.hpp"
 
 #include <gtest/gtest.h>
 
