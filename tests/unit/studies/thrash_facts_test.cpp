@@ -126,10 +126,10 @@ TEST(ThrashRealised, FaultsAsItsTraceSaysWithTheSameAnswers) {
             EXPECT_TRUE(point.same_answers);
             EXPECT_EQ(point.model_ns, curve.shape == "sphere386" && curve.algorithm == "vclip" ? 7 : 0);
             EXPECT_GT(point.queries, 0U);
-            EXPECT_NEAR(point.hard, point.predicted_hard, 0.02 * point.predicted_hard + 0.02)
+            EXPECT_NEAR(point.faults, point.predicted_faults, 0.02 * point.predicted_faults + 0.02)
                 << curve.shape << " " << curve.algorithm << " " << point.speed;
-            EXPECT_GE(point.measured_ns, point.hard * setting.fault_ns);
-            if (curve.shape == "sphere386" && curve.algorithm == "vclip") large_faults += point.hard;
+            EXPECT_GE(point.measured_ns, point.faults * setting.fault_ns);
+            if (curve.shape == "sphere386" && curve.algorithm == "vclip") large_faults += point.faults;
         }
     }
     EXPECT_GT(large_faults, 1) << "1 MiB is too little for 30 tables of 263 KiB";
