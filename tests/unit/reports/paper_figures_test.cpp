@@ -2,7 +2,7 @@
 //
 // Files of a figure of the paper: the data file has the points of the picture, the PDF is a valid PDF, and
 // the text names the commands of the store.
-#include "edgewise/reports/page/pictures.hpp"
+#include "edgewise/reports/page/page.hpp"
 
 #include <gmock/gmock.h>
 

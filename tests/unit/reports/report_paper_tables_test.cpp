@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/paper/chapter/paper_chapter.hpp"
-#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "made_up_data.hpp"
 
 namespace edgewise::reports {

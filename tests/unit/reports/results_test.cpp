@@ -10,7 +10,6 @@
 
 #include "csv_reader.hpp"
 #include "edgewise/reports/page/report.hpp"
-#include "edgewise/reports/results/main_figures.hpp"
 #include "made_up_data.hpp"
 #include "report_store.hpp"
 

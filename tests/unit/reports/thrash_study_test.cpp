@@ -2,7 +2,6 @@
 //
 // The chapter on the study of figure 8, from synthetic rows: which mechanisms can cause the figure, which
 // cannot, and the modelled cells that were also run on this machine.
-#include "edgewise/reports/paper/chapter/thrash_study.hpp"
 
 #include <gmock/gmock.h>
 

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "edgewise/studies/fields/best_groups.hpp"
 #include "edgewise/studies/fields/fields.hpp"
 
 namespace edgewise::studies {

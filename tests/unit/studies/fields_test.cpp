@@ -12,8 +12,6 @@
 #include "edgewise/layout_parts/stored_fields.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/studies/fields/best_groups.hpp"
-#include "edgewise/studies/fields/field_trace.hpp"
 
 namespace edgewise::studies {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/page/chapters/chapters.hpp"
-#include "edgewise/reports/tables/field_tables.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 namespace {

@@ -2,7 +2,7 @@
 //
 // The glossary: each word once, each used by the report, links where it is used, and layouts in the words of
 // the store.
-#include "edgewise/reports/page/chapters/glossary.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 #include <gmock/gmock.h>
 
