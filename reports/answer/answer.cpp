@@ -130,7 +130,7 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
             })->second;
 }
 
-/// Returns the file whose motion the cell's scene replays; empty for other scenes.
+/// Returns the file of the recording that the cell's scene replays; empty for other scenes.
 std::string recording_of(const ReportData& data, const ReportCell& cell) {
     for (const auto& [name, text] : data.scene_files)
         if (name == cell.scene && scene_kind(cell) == "recorded")

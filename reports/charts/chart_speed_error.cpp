@@ -14,7 +14,6 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/palette.hpp"
 

@@ -2,7 +2,7 @@
 //
 // Node is spawned with an argument list, never through a shell, so a path is only ever a
 // path.
-#include "edgewise/reports/page/pictures.hpp"
+#include "edgewise/reports/page/page.hpp"
 
 #include <fmt/core.h>
 
@@ -16,7 +16,7 @@
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/page/html.hpp"
-#include "edgewise/reports/results/main_figures.hpp"
+#include "edgewise/reports/results/export.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/schema.hpp"
 

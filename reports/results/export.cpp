@@ -15,7 +15,6 @@
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
-#include "edgewise/reports/results/main_figures.hpp"
 
 namespace edgewise::reports {
 

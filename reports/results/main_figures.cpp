@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/results/main_figures.hpp"
+#include "edgewise/reports/results/export.hpp"
 
 #include <fmt/core.h>
 #include <fnmatch.h>

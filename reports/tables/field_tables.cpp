@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/tables/field_tables.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 #include <fmt/core.h>
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/tables/fronts.hpp"
 
 #include <algorithm>
 #include <cmath>

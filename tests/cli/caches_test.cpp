@@ -127,5 +127,122 @@ TEST(Crosscheck, SaysWhatItComparedOrWhyNot) {
         EXPECT_NE(count["value"].is_null(), count["reason"].is_null()) << count;
 }
 
+// `edgewise caches`: a cell and the trace file that it wrote are modelled equally; small files of either form
+// by hand, and malformed lines.
+
+json caches_of(const Arguments& more, const Folder& folder) {
+    Arguments arguments = {"caches", "--json", "--machines", "zen5,pentium3_coppermine"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(arguments, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+}
+
+TEST(Traces, AreTheCellsThatWroteThem) {
+    const Folder folder;
+    json cell = caches_of(
+        {"--table", "aos_f64", "--shape", "sphere38", "--queries", "100", "--write", "cell.din"}, folder);
+    json file = caches_of({"--trace", "cell.din"}, folder);
+    EXPECT_GT(cell["reads"], 1000);
+    EXPECT_GT(cell["writes"], 50);
+    EXPECT_GT(cell["machines"][1]["levels"][0]["misses"], cell["machines"][0]["levels"][0]["misses"]);
+    EXPECT_EQ(file["trace"], "cell.din (din)");
+    cell.erase("trace");
+    file.erase("trace");
+    EXPECT_EQ(cell, file);
+}
+
+TEST(Traces, OfLackeyLeaveFetchesOutUntilAsked) {
+    const Folder folder;
+    folder.write(
+        "t.txt",
+        "==7== Lackey\nI  0401ab70,3\n S 1fff00703c,8\n L 1fff007040,8\n M 1fff007044,4\nI  0401ab73,5\n==7== \n");
+    const json plain = caches_of({"--trace", "t.txt"}, folder);
+    EXPECT_EQ(plain["reads"], 2);
+    EXPECT_EQ(plain["writes"], 2);
+    EXPECT_EQ(plain["fetches"], 2);
+    EXPECT_EQ(plain["distinct_lines"], 2);
+    // The store is over two lines of 64 bytes: two accesses, two misses. All else is there by then.
+    const json level = plain["machines"][0]["levels"][0];
+    EXPECT_EQ(
+        level,
+        (json{{"level", "L1D"}, {"accesses", 5}, {"misses", 2}, {"miss_part", 0.4}, {"write_backs", 0}}));
+    const json all = caches_of({"--trace", "t.txt", "--fetches"}, folder);
+    EXPECT_EQ(all["distinct_lines"], 3);
+    EXPECT_EQ(all["machines"][0]["levels"][0]["misses"], 3);
+    const Outcome text = run({"caches", "--trace", "t.txt", "--machines", "zen5"}, folder);
+    EXPECT_THAT(text.out,
+                testing::AllOf(HasSubstr("t.txt (lackey): 2 reads, 2 writes, 2 instruction fetches left out"),
+                               HasSubstr("2 distinct lines"), HasSubstr("L1D")));
+}
+
+/// From a handout that many courses copy: one blank after I.
+TEST(Traces, OfHandoutsAreRead) {
+    const Folder folder;
+    folder.write("one_space.lackey",
+                 "==3815== Lackey, an example Valgrind tool\n==3815== Command: ./a.out\n==3815== \n"
+                 "I 04001100,3\nI 04001103,5\n S 1ffefff858,8\nI 04001d70,1\n L 0421c7f0,4\n==3815== \n"
+                 "==3815== Exit code:       0\n");
+    const json read = caches_of({"--trace", "one_space.lackey"}, folder);
+    EXPECT_EQ(read["reads"], 1);
+    EXPECT_EQ(read["writes"], 1);
+    EXPECT_EQ(read["fetches"], 3);
+    EXPECT_EQ(read["distinct_lines"], 2);
+    EXPECT_EQ(caches_of({"--trace", "one_space.lackey", "--fetches"}, folder)["distinct_lines"], 4);
+}
+
+/// Addresses without a letter are read as hexadecimal, as the form has it, but not without a word.
+TEST(Traces, ThatLookDecimalAreWarnedAbout) {
+    const Folder folder;
+    std::string decimal;
+    for (int i = 0; i < 200; ++i) decimal += "0 " + std::to_string(20734016 + 64 * i) + "\n";
+    folder.write("cpu.trace", decimal);
+    folder.write("hexadecimal.din", decimal + "0 20734a40\n");
+    const auto warning = [&](const std::string& file) {
+        const Outcome outcome = run({"caches", "--trace", file}, folder);
+        EXPECT_EQ(outcome.exit_code, 0);
+        return outcome.err;
+    };
+    EXPECT_THAT(warning("cpu.trace"), HasSubstr("cpu.trace: no address has a digit above 9"));
+    EXPECT_EQ(warning("hexadecimal.din"), "");
+}
+
+TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
+    const Folder folder;
+    folder.write("bad.din", "r 10 8\nr 18\n");
+    folder.write("text", "once upon a time\n");
+    folder.write("empty", "");
+    const auto complaint = [&](const Arguments& more) {
+        Arguments arguments = {"caches"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run(arguments, folder);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_THAT(complaint({"--trace", "bad.din"}),
+                testing::AllOf(HasSubstr("bad.din:2: 'r 18' wants"), HasSubstr("SIZE")));
+    EXPECT_THAT(complaint({"--trace", "text"}),
+                testing::AllOf(HasSubstr("text:1: 'once upon a time' wants"), HasSubstr("lackey")));
+    folder.write("dinero4.din", "r 1f40 8\nw 1f48 8\nm 1f50 4\nc 1f40 40\nv 1f40 40\ni 400 4\n");
+    EXPECT_THAT(complaint({"--trace", "dinero4.din"}),
+                testing::AllOf(HasSubstr("dinero4.din:4: 'c 1f40 40' wants an access"),
+                               HasSubstr("delete such lines")));
+    folder.write("commands.din", "3 20734016\n");
+    EXPECT_THAT(complaint({"--trace", "commands.din"}),
+                HasSubstr("commands.din:1: '3 20734016' wants an access"));
+    folder.write("sized.din", "0 3019b6c8 2\n");
+    EXPECT_THAT(complaint({"--trace", "sized.din"}),
+                testing::AllOf(HasSubstr("sized.din:1: '0 3019b6c8 2' wants"), HasSubstr("no sizes")));
+    EXPECT_THAT(complaint({"--trace", "empty"}), HasSubstr("no accesses"));
+    EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: no such file"));
+    EXPECT_THAT(complaint({"--trace", "bad.din", "--shape", "cube8"}), HasSubstr("--shape"));
+    EXPECT_THAT(complaint({"--fetches"}), HasSubstr("--trace"));
+    EXPECT_THAT(complaint({"--trace", "bad.din", "--machines", "zen17"}), HasSubstr("zen17"));
+    EXPECT_THAT(complaint({"--shape", "cube8", "--write", "no/such/folder/t.din"}),
+                HasSubstr("cannot be written"));
+}
+
 }  // namespace
 }  // namespace edgewise::cli_test

@@ -174,7 +174,7 @@ edgewise_mutant(certificate_divides_by_one_total truth/certificate.cpp [[on_a.to
 edgewise_mutant(touching_counts_as_overlap truth/exact_distance.cpp [[interior ? ExactVerdict::overlapping : ExactVerdict::touching]] [[interior ? ExactVerdict::touching : ExactVerdict::touching]]
     ExactVerdict.* ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(band_without_rotations truth/accuracy_band.cpp [[verdict_band_ortho * ortho]] [[0 * ortho]]
-    AccuracyBand.* ${unit}/truth/accuracy_band_test.cpp)
+    AccuracyBand.* ${unit}/truth/checked_answer_test.cpp)
 edgewise_mutant(judge_lets_nan_pass truth/checked_answer.cpp [[(claim.separated && std::isnan(claim.distance))]] [[false]]
     CheckedAnswer.* ${unit}/truth/checked_answer_test.cpp)
 
@@ -251,7 +251,7 @@ edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.
     WideResults.Leave* ${unit}/reports/results_test.cpp)
 
 edgewise_mutant(commands_of_other_builds reports/page/pictures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
-    Report.HasThePoints* ${unit}/reports/paper_figures_test.cpp)
+    Report.HasThePoints* ${unit}/reports/report_paper_charts_test.cpp)
 
 # Store
 edgewise_mutant(old_figures_stay store/store.cpp [[delete from figure where build = ? and hash = ?]] [[delete from figure where build = ? and hash = ? and 0]]
@@ -277,11 +277,11 @@ edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability
 
 # Figure 8
 edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve_.misses(size) - curve_.firsts()]] [[curve_.misses(size)]]
-    ThrashDemand.* ${unit}/studies/thrash_time_test.cpp)
+    ThrashDemand.* ${unit}/studies/thrash_test.cpp)
 edgewise_mutant(faults_cost_nothing studies/thrash/factorial.cpp [[page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns]] [[mechanism_ns]]
-    ThrashTime.* ${unit}/studies/thrash_time_test.cpp)
+    ThrashTime.* ${unit}/studies/thrash_test.cpp)
 edgewise_mutant(gjk_may_be_as_erratic studies/thrash/factorial.cpp [[found.fall >= least_fall && found.gjk_fall < least_fall]] [[found.fall >= least_fall]]
-    Figure8Facts.* ${unit}/studies/thrash_facts_test.cpp)
+    Figure8Facts.* ${unit}/studies/thrash_test.cpp)
 
 # Campaign
 set(campaign ${unit}/studies/campaign)
@@ -303,7 +303,7 @@ edgewise_mutant(unread_fields_travel_along studies/fields/best_groups.cpp [[(rea
 edgewise_mutant(caches_of_pairs_stay_where_they_were studies/fields/field_trace.cpp [[access.address += is - was;]] [[]]
     FieldPlaces.OfAny* ${unit}/studies/fields_test.cpp)
 edgewise_mutant(any_faster_median_holds studies/fields/fields.cpp [[if (time->high < std::min(1.0, noise->low))]] [[if (time->middle < 1)]]
-    FieldsAdvice.* ${unit}/studies/fields_advice_test.cpp)
+    FieldsAdvice.* ${unit}/studies/fields_test.cpp)
 
 # Many scales
 edgewise_mutant(one_factor_for_two_axes table/scaled_table.hpp [[scale_.y() * point.y()]] [[scale_.x() * point.y()]]

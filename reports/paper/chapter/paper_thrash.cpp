@@ -14,8 +14,6 @@
 #include <vector>
 
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
-#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
-#include "edgewise/reports/paper/chapter/thrash_study.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/paper/chapter/thrash_study.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

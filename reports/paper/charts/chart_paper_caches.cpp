@@ -19,8 +19,8 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/charts/charts.hpp"
-#include "edgewise/reports/paper/chapter/thrash_evidence.hpp"
-#include "edgewise/reports/paper/chapter/thrash_study.hpp"
+#include "edgewise/reports/paper/chapter/paper_chapter.hpp"
+#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

@@ -21,6 +21,14 @@
 #include "edgewise/studies/gate/run.hpp"
 #include "edgewise/studies/threads/scaling.hpp"
 
+namespace edgewise::studies {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WayOfSharing, queries_per_second, speed_up, efficiency)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScalingRow, threads, shared, apart, contention)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ModelSpeed, what, trace, accesses, accesses_per_second)
+
+}  // namespace edgewise::studies
+
 namespace edgewise::cli {
 
 namespace {
@@ -31,18 +39,7 @@ struct ScalingArguments {
     int rounds = studies::ScalingPlan{}.rounds;
 };
 
-nlohmann::json json_of(const studies::WayOfSharing& way) {
-    return {
-        {"queries_per_second", way.per_second}, {"speed_up", way.speed_up}, {"efficiency", way.efficiency}};
-}
-
 nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& options) {
-    const nlohmann::json rows = json_rows(scaling.rows, [](const studies::ScalingRow& row) {
-        return nlohmann::json{{"threads", row.threads},
-                              {"shared", json_of(row.shared)},
-                              {"apart", json_of(row.apart)},
-                              {"contention", row.contention}};
-    });
     return {{"table", scaling.table},
             {"algorithm", scaling.algorithm},
             {"scene", options.cell.scene},
@@ -55,7 +52,7 @@ nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& 
             {"checked", scaling.checked},
             {"passes", scaling.passes},
             {"wrong", or_null(scaling.wrong)},
-            {"rows", rows}};
+            {"rows", scaling.rows}};
 }
 
 void print(const studies::Scaling& scaling, const ScalingArguments& options) {
@@ -252,13 +249,7 @@ void add_gate(CLI::App& bench, Context& context) {
 
 int run_model(const ModelArguments& options, bool json) {
     const studies::SingleCell cell(options.cell);
-    const std::vector<studies::ModelSpeed> speeds = studies::model_speeds(cell, options.repetitions);
-    const nlohmann::json rows = json_rows(speeds, [](const studies::ModelSpeed& speed) {
-        return nlohmann::json{{"what", speed.what},
-                              {"trace", speed.trace},
-                              {"accesses", speed.accesses},
-                              {"accesses_per_second", speed.per_second}};
-    });
+    const nlohmann::json rows = studies::model_speeds(cell, options.repetitions);
     if (json)
         print_json(nlohmann::json({{"bench", rows}}));
     else

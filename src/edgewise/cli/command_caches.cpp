@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"

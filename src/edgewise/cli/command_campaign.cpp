@@ -11,12 +11,10 @@
 
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/studies/campaign/block_run.hpp"
-#include "edgewise/studies/campaign/run.hpp"
 
 namespace edgewise::cli {
 

@@ -11,7 +11,6 @@
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/traces/trace_file.hpp"

@@ -8,10 +8,8 @@
 
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/output_file.hpp"
-#include "edgewise/reports/tables/field_tables.hpp"
-#include "edgewise/studies/fields/best_groups.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/studies/fields/fields.hpp"
 
 namespace edgewise::cli {

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/store/merge.hpp"
 #include "edgewise/store/rows.hpp"
 

@@ -16,6 +16,15 @@
 #include "edgewise/studies/paging/paging.hpp"
 #include "edgewise/studies/thrash/thrash_rows.hpp"
 
+namespace edgewise::studies::thrash {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FactScore, rise, top_ns, gjk_rise, gjk_rise_from_8, fall, gjk_fall)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RealisedPoint, speed, queries, in_memory_ns, predicted_faults, faults,
+                                   soft_faults, predicted_ns, measured_ns, model_ns, same_answers)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RealisedCurve, shape, algorithm, points)
+
+}  // namespace edgewise::studies::thrash
+
 namespace edgewise::cli {
 
 namespace {
@@ -41,47 +50,23 @@ nlohmann::json json_of(const thrash::Setting& setting, const thrash::Factorial& 
 }
 
 nlohmann::json json_of(const thrash::Outcome& outcome, const thrash::Factorial& factorial) {
-    const thrash::FactScore& score = outcome.score;
-    nlohmann::json facts;
+    nlohmann::json json = outcome.score;
     for (std::size_t i = 0; i < thrash::fact_names.size(); ++i)
-        facts[std::string(thrash::fact_names[i])] = score.holds[i];
+        json["facts"][std::string(thrash::fact_names[i])] = outcome.score.holds[i];
     const thrash::Figure8& figure = outcome.figure;
-    return {{"setting", json_of(outcome.setting, factorial)},
-            {"facts", facts},
-            {"facts_held", score.count()},
-            {"rise", score.rise},
-            {"top_ns", score.top_ns},
-            {"gjk_rise", score.gjk_rise},
-            {"gjk_rise_from_8", score.gjk_rise_from_8},
-            {"fall", score.fall},
-            {"gjk_fall", score.gjk_fall},
-            {"vclip_38_ns", figure.vclip_38},
-            {"vclip_386_ns", figure.vclip_386},
-            {"gjk_38_ns", figure.gjk_38},
-            {"gjk_386_ns", figure.gjk_386}};
+    json.update({{"setting", json_of(outcome.setting, factorial)},
+                 {"facts_held", outcome.score.count()},
+                 {"vclip_38_ns", figure.vclip_38},
+                 {"vclip_386_ns", figure.vclip_386},
+                 {"gjk_38_ns", figure.gjk_38},
+                 {"gjk_386_ns", figure.gjk_386}});
+    return json;
 }
 
 nlohmann::json json_of(const thrash::RealisedCell& cell, const thrash::Factorial& factorial) {
-    const auto point_json = [](const thrash::RealisedPoint& point) {
-        return nlohmann::json{{"speed", point.speed},
-                              {"queries", point.queries},
-                              {"in_memory_ns", point.in_memory_ns},
-                              {"predicted_faults", point.predicted_hard},
-                              {"faults", point.hard},
-                              {"soft_faults", point.soft},
-                              {"predicted_ns", point.predicted_ns},
-                              {"measured_ns", point.measured_ns},
-                              {"model_ns", point.model_ns},
-                              {"same_answers", point.same_answers}};
-    };
-    const nlohmann::json curves = json_rows(cell.curves, [&](const thrash::RealisedCurve& curve) {
-        return nlohmann::json{{"shape", curve.shape},
-                              {"algorithm", curve.algorithm},
-                              {"points", json_rows(curve.points, point_json)}};
-    });
     const bool there = cell.reason.empty();
     return {{"setting", json_of(cell.setting, factorial)},
-            {"curves", there ? curves : nlohmann::json()},
+            {"curves", there ? nlohmann::json(cell.curves) : nlohmann::json()},
             {"worst_ratio", there ? nlohmann::json(cell.worst_ratio()) : nlohmann::json()},
             {"reason", or_null(cell.reason)},
             {"remedy", or_null(cell.remedy)}};

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/process/child_process.hpp"

@@ -11,7 +11,6 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/reports/page/report.hpp"

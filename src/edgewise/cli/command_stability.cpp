@@ -11,7 +11,6 @@
 
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/studies/stability/stability.hpp"

@@ -13,7 +13,6 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/parts/sweep_parts.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"

@@ -21,7 +21,7 @@ inline constexpr const char* drawing_key = "drawing ";
 inline constexpr const char* layout_key = "layout ";
 
 /// body_key followed by a shape's name: the body; heat_key followed by a cell's hash: how often its scene
-/// reads each feature of the body. Both as JSON (sweep/cell_run.hpp).
+/// reads each feature of the body. Both as JSON (sweep/prepared_cell.hpp).
 inline constexpr const char *body_key = "body ", *heat_key = "heat ";
 
 /// Followed by a scene file's name: its text, as JSON in one line; and its path.

@@ -45,7 +45,7 @@ struct PerfCount {
 struct ModelSpeed {
     std::string what, trace;
     std::uint64_t accesses = 0;
-    double per_second = 0;  ///< median of the repetitions
+    double accesses_per_second = 0;  ///< median of the repetitions
 };
 
 /// Measures a cell's own trace, kept in memory, and synthetic ones: all in the first level, and random over

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/sweep/run.hpp"
-
 #include <fmt/format.h>
 #include <mutex>
 
@@ -15,8 +13,8 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/expected_work.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
 #include "edgewise/sweep/work.hpp"
 

@@ -9,7 +9,7 @@
 #include "edgewise/store/merge.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::sweep {
 

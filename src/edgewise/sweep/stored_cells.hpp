@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "edgewise/store/store.hpp"
-#include "edgewise/sweep/cell_run.hpp"
 #include "edgewise/sweep/plan.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::sweep {
 

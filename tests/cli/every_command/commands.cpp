@@ -12,7 +12,7 @@ constexpr const char* a_case =
     "\n";
 
 /// Words that let each command print something within seconds, in the folder of fill().
-const std::map<std::string, Arguments> arguments = {
+const std::map<std::string, Arguments> printing_arguments = {
     {"advise", {"--store", "s.db"}},
     {"bench model", {"--shape", "cube8", "--queries", "20", "--repetitions", "1"}},
     {"advise budget", {"--shape", "sphere38"}},
@@ -63,6 +63,6 @@ void fill(const Folder& folder) {
     folder.write("c.jsonl", a_case);
 }
 
-const std::map<std::string, Arguments>& printing() { return arguments; }
+const std::map<std::string, Arguments>& printing() { return printing_arguments; }
 
 }  // namespace edgewise::cli_test

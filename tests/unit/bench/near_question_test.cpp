@@ -32,7 +32,7 @@ struct Scene {
 const Scene coherent{"coherent", "tumble", "sphere18", {{"rotation_step", 0.02}, {"in_time_order", 1}}};
 const Scene turning{"turning", "tumble", "cube8", {{"rotation_step", 0.05}}, true};
 const Scene random_turns{"random", "tumble", "cube8", {{"random_orientation", 1}, {"rotation_step", 0}}};
-const Scene cold{"cold", "cold", "cube8", {{"overlapping", 0.3}}};
+const Scene cold_scene{"cold", "cold", "cube8", {{"overlapping", 0.3}}};
 
 studies::SingleCell cell_of(const Scene& scene, const std::string& table, const std::string& algorithm,
                             double margin) {
@@ -149,7 +149,7 @@ TEST_P(NearQuestion, IsNeverWrongWhateverTheMotion) {
     const Tally turned = tally_of(random_turns, table, algorithm);
     EXPECT_EQ(turned.wrong, 0);
     for (const int visited : {turned.told_near, turned.asked_near, turned.asked_far}) EXPECT_GT(visited, 0);
-    const Tally tally = tally_of(cold, table, algorithm);
+    const Tally tally = tally_of(cold_scene, table, algorithm);
     EXPECT_EQ(tally.wrong, 0);
     EXPECT_EQ(tally.told(), 0) << "a cold query has no past";
     EXPECT_GT(tally.asked_near, 0);
@@ -185,7 +185,7 @@ class PerQuery final : public measure::TraceListener {
 
 TEST_P(NearQuestion, ReadsNoTableWhereBoundsTell) {
     const auto [table, algorithm] = GetParam();
-    for (const Scene* scene : {&coherent, &cold}) {
+    for (const Scene* scene : {&coherent, &cold_scene}) {
         const studies::SingleCell cell = cell_of(*scene, table, algorithm, 0.2);
         const std::vector<Distance> answers = cell.runner().answer();
         std::vector<Distance> traced(answers.size());

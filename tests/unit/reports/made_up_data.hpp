@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/reader.hpp"
+#include "edgewise/reports/tables/text_grid.hpp"
 
 namespace edgewise::reports {
 
@@ -72,6 +74,20 @@ inline MadeUp times(double ns) {
 /// Expects these texts in a row of a table, by column.
 inline void expect_texts(const std::vector<GridCell>& row, const std::map<std::size_t, std::string>& wanted) {
     for (const auto& [column, text] : wanted) EXPECT_EQ(row.at(column).text, text) << "column " << column;
+}
+
+inline std::vector<std::string> texts_of(const std::vector<GridCell>& row) {
+    std::vector<std::string> texts;
+    for (const GridCell& cell : row) texts.push_back(cell.text);
+    return texts;
+}
+
+/// Returns the cell of a row in the column of that title; `nth`: of several columns with one title.
+inline const GridCell& cell_of(const TextGrid& grid, std::size_t row, const std::string& title,
+                               std::size_t nth = 0) {
+    for (std::size_t i = 0; i < grid.columns.size(); ++i)
+        if (grid.columns[i].title == title && nth-- == 0) return grid.rows.at(row).at(i);
+    throw std::invalid_argument("no column " + title);
 }
 
 /// Rows of a chart's data where `field` is `value`.

@@ -2,7 +2,7 @@
 //
 // The front of times and errors against its definition, asked of every pair of points, on random clouds of
 // few values (many ties) and of many (none).
-#include "edgewise/reports/tables/fronts.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/charts/charts.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "made_up_data.hpp"
 #include "report_store.hpp"
 
 namespace edgewise::reports {
@@ -42,12 +44,6 @@ std::string traced_store_sql() {
            cell_sql("h-d", "static", "cube8", 8, "gjk", "f64", "verified", "");
 }
 
-std::vector<std::string> texts(const std::vector<GridCell>& row) {
-    std::vector<std::string> all;
-    for (const GridCell& cell : row) all.push_back(cell.text);
-    return all;
-}
-
 TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
     const ReportData data = read_report(make_store(traced_store_sql()));
     const auto cells = modelled_cells(data);
@@ -56,9 +52,9 @@ TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
     EXPECT_EQ(modelled_machines(data), (std::vector<std::string>{"host", "zen5"}));
     const TextGrid grid = misses_grid(data);
     ASSERT_EQ(grid.rows.size(), 3U);
-    EXPECT_THAT(texts(grid.rows[0]), testing::Contains("8"));
+    EXPECT_THAT(texts_of(grid.rows[0]), testing::Contains("8"));
     EXPECT_EQ(working_sets_grid(data).rows.size(), 3U);
-    EXPECT_THAT(texts(grid.rows[0]), testing::Contains("70 *")) << "no source proves its latencies";
+    EXPECT_THAT(texts_of(grid.rows[0]), testing::Contains("70 *")) << "no source proves its latencies";
     EXPECT_EQ(broken_down_levels(data, "zen5"), std::vector<std::string>{"L1D"}) << "not the TLB";
     EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", misses_by_field).columns.back().title, "vertex");
     EXPECT_EQ(breakdown_grid(data, "zen5", "L1D", misses_by_step).columns.back().title, "settle");
@@ -68,11 +64,11 @@ TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
 TEST_F(Report, OfCachesSaysWhetherThePolicyMatters) {
     const TextGrid grid = policy_grid(read_report(make_store(traced_store_sql())));
     ASSERT_EQ(grid.rows.size(), 2U);
-    EXPECT_EQ(texts(grid.rows[0])[3], "zen5/random");
-    EXPECT_EQ(texts(grid.rows[0])[4], "L1D");
-    EXPECT_THAT(texts(grid.rows[0]), testing::IsSupersetOf({"3", "2", "yes"}));
+    EXPECT_EQ(texts_of(grid.rows[0])[3], "zen5/random");
+    EXPECT_EQ(texts_of(grid.rows[0])[4], "L1D");
+    EXPECT_THAT(texts_of(grid.rows[0]), testing::IsSupersetOf({"3", "2", "yes"}));
     EXPECT_THAT(grid.rows[0].back().text, testing::AllOf(HasSubstr("aos_f32"), HasSubstr("14")));
-    EXPECT_THAT(texts(grid.rows[1]), testing::IsSupersetOf({"3", "0", "no"}));
+    EXPECT_THAT(texts_of(grid.rows[1]), testing::IsSupersetOf({"3", "0", "no"}));
 }
 
 TEST_F(Report, OfCachesDrawsMissesAgainstSize) {
@@ -91,6 +87,69 @@ TEST_F(Report, OfCachesIsInThePageOrSaysHowToGetIt) {
     fs::remove(directory_ / "store.db");
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     EXPECT_THAT(text("out/index.html"), HasSubstr("edgewise sweep --caches all"));
+}
+
+// Tables of effort from synthetic rows: the algorithms and libraries that they show, their order, the
+// machines with simulated misses, and the chapter that shows the tables.
+
+ReportCell made_up(store::CellStatus status, const std::string& name, std::optional<double> instructions) {
+    ReportCell row;
+    row.status = status;
+    row.run = "effort";
+    row.scene = "tumble", row.scene_label = "effort tumble";
+    row.shape = "cube8";
+    row.vertices = 8;
+    row.algorithm = row.layout = name;
+    row.precision = "f64";
+    row.table = status == store::CellStatus::judged ? name + "_f64" : "lean_f64";
+    row.figures = {{{"instructions", instructions, "1", "no valgrind"}, "effort"},
+                   {{"zen5.d1_misses", 2.5, "1"}, "effort"},
+                   {{"steps", std::nullopt, "steps", "not told"}, "effort"},
+                   {{"instructions_over_floor", 12.0, "1"}, "effort"},
+                   {{"table_bytes", 280.0, "B"}, "bytes"}};
+    return row;
+}
+
+ReportData data_with_effort() {
+    ReportData data;
+    data.effort = {made_up(store::CellStatus::judged, "slow", 9000),
+                   made_up(store::CellStatus::verified, "vclip", 700),
+                   made_up(store::CellStatus::failed, "gjk", 10),
+                   made_up(store::CellStatus::judged, "uncounted", std::nullopt)};
+    return data;
+}
+
+TEST(EffortTables, StandFewestInstructionsFirstWithReasons) {
+    const TextGrid grid = effort_grid(data_with_effort());
+    ASSERT_EQ(grid.rows.size(), 3U) << "what failed was not measured";
+    const char* const names[] = {"vclip", "slow", "uncounted"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(grid.rows[i].size(), grid.columns.size());
+        EXPECT_EQ(cell_of(grid, i, "algorithm or library").text, names[i]);
+    }
+    EXPECT_EQ(cell_of(grid, 0, "table type or precision").text, "lean_f64");
+    EXPECT_EQ(cell_of(grid, 1, "table type or precision").text, "f64");
+    EXPECT_EQ(cell_of(grid, 0, "instructions").text, "700");
+    EXPECT_EQ(cell_of(grid, 0, "D1 misses, zen5").text, "2.50");
+    EXPECT_EQ(cell_of(grid, 0, "bytes of a table").text, "280");
+    EXPECT_THAT(cell_of(grid, 2, "instructions").why, testing::HasSubstr("no valgrind"));
+    EXPECT_THAT(cell_of(grid, 0, "steps").why, testing::HasSubstr("not told"));
+    EXPECT_EQ(cell_of(effort_floor_grid(data_with_effort()), 0, "instructions per flop of it").text, "12");
+}
+
+TEST(EffortTables, StandInTheChapterOfPeers) {
+    const auto chapter_of = [](const ReportData& data) {
+        std::optional<Chapter> found;
+        for (Chapter& chapter : report_chapters(answer_of(data), data, {}))
+            if (chapter.id == "peers") found = std::move(chapter);
+        return found;
+    };
+    EXPECT_FALSE(chapter_of({}));
+    const auto chapter = chapter_of(data_with_effort());
+    ASSERT_TRUE(chapter);
+    EXPECT_EQ(chapter->blocks.back().title, "What a query takes");
+    EXPECT_THAT(chapter->blocks.back().paragraph, testing::HasSubstr("Callgrind"));
+    EXPECT_TRUE(data_with_effort().any_failed());
 }
 
 }  // namespace

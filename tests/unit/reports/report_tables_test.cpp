@@ -13,7 +13,6 @@
 
 #include "edgewise/reports/charts/charts.hpp"
 #include "edgewise/reports/reader.hpp"
-#include "edgewise/reports/tables/fronts.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "made_up_data.hpp"
 

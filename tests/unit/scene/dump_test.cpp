@@ -29,14 +29,14 @@ std::string refusal(const std::string& text) {
     return result.error;
 }
 
-const std::string vertices =
+const std::string dump_vertices =
     "Convex<double>(\n  std::make_shared<std::vector<Vector3<double>>>(\n"
     "    std::initializer_list<Vector3<double>>{\n      Vector3<double>(0, 0, 0),\n"
     "      Vector3<double>(1, 0, -0.5),\n      Vector3<double>(0, 1e-3, 0),\n      Vector3<double>(0, 0, 1),}),\n";
 const std::string faces =
     "    4,\n    std::make_shared<std::vector<int>>(\n        std::initializer_list<int>{\n"
     "             3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 3, 2,}),\n    false);\n";
-const std::string convex = vertices + faces;
+const std::string convex = dump_vertices + faces;
 const std::string x_1 = "1, 0, 0, 5,\n0, 0, -1, 6,\n0, 1, 0, 7,\n0, 0, 0, 1;\n",
                   identity = "1, 0, 0, 0,\n0, 1, 0, 0,\n0, 0, 1, 0,\n0, 0, 0, 1;\n";
 
@@ -50,7 +50,7 @@ std::string message_of(const std::string& shape_1, const std::string& pose_1,
 }
 
 TEST(Dump, OfFclWithCommas) {
-    for (const std::string& shape : {convex, vertices + "    4,\n"}) {
+    for (const std::string& shape : {convex, dump_vertices + "    4,\n"}) {
         const PastedPair found = pasted(message_of(shape, x_1));
         EXPECT_EQ(found.format, "FCL dump");
         ASSERT_EQ(found.pair.a.vertices.size(), 4U);
@@ -161,8 +161,8 @@ TEST(Dump, OfFclWithAShapeThatIsNotUnderstood) {
         {without(convex, " 3, 0, 2, 1,"), "says that it has 4 faces, and 3 are given"},
         {without(convex, "false);"), "the Convex"},
         {without(convex, "std::initializer_list<int>{"), "the Convex"},
-        {without(vertices, "}),"), "is cut off"},
-        {vertices, "is cut off"},
+        {without(dump_vertices, "}),"), "is cut off"},
+        {dump_vertices, "is cut off"},
         {convex + "Convex<double>(", "from 'Convex<double>(' on"},
         {"Convex<double>(points, 4, faces)", "the Convex"}};
     for (const auto& [shape, why] : refused) {

@@ -63,8 +63,9 @@ TEST(SceneFile, OfThePaperStatesItsMarginAndItsSteps) {
     for (const SceneText& text : scene_texts()) {
         const SceneFile file = **find_scene_file(std::string(text.name));
         for (const ScenePoint& point : file.points) {
-            if (point.parameters.contains("least_steps"))
+            if (point.parameters.contains("least_steps")) {
                 EXPECT_GE(point.parameters.at("least_steps"), 50) << text.name;
+            }
             if (!point.parameters.contains("margin")) continue;
             EXPECT_NE(text.json.find("\"margin\""), std::string_view::npos) << text.name;
             const bool varied = text.name.find("margin") != std::string_view::npos;

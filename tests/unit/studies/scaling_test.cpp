@@ -74,7 +74,7 @@ TEST(Scaling, RefusesWhatBatchesDoNotAnswer) {
 }
 
 void expect_way(const WayOfSharing& way, int threads) {
-    EXPECT_GT(way.per_second, 0);
+    EXPECT_GT(way.queries_per_second, 0);
     EXPECT_GT(way.speed_up, 0);
     EXPECT_DOUBLE_EQ(way.efficiency, way.speed_up / threads);
 }

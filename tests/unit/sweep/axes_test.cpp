@@ -19,7 +19,7 @@
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/store/schema.hpp"
-#include "edgewise/sweep/cell_run.hpp"
+#include "edgewise/sweep/prepared_cell.hpp"
 #include "edgewise/sweep/study.hpp"
 #include "edgewise/sweep/work.hpp"
 

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"
-#include "edgewise/cli/usage/folders.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"

@@ -9,6 +9,7 @@
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/store/schema.hpp"
+#include "edgewise/sweep/expected_work.hpp"
 #include "edgewise/sweep/stored_cells.hpp"
 #include "edgewise/sweep/study.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "edgewise/store/store.hpp"
-#include "edgewise/sweep/run.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::cli {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/campaign/run.hpp"
+#include "edgewise/studies/campaign/block_run.hpp"
 
 #include <fmt/format.h>
 

@@ -14,8 +14,8 @@
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/sweep/run.hpp"
 #include "edgewise/sweep/study.hpp"
+#include "edgewise/sweep/work.hpp"
 #include "edgewise/table/canonical.hpp"
 
 namespace edgewise::studies {

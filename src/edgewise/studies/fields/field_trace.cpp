@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/studies/fields/field_trace.hpp"
+#include "edgewise/studies/fields/fields.hpp"
 
 #include <fmt/format.h>
 

@@ -16,8 +16,6 @@
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/studies/fields/best_groups.hpp"
-#include "edgewise/studies/fields/field_trace.hpp"
 
 namespace edgewise::studies {
 

@@ -1,5 +1,133 @@
 // SPDX-License-Identifier: MIT
 //
+// Which fields of a table's records are read together, and where they should lie: a trace of their reads, the
+// search for the best groups, and the advice with its outcome.
+//
+// The trace keeps accesses to tables as fields of records, not as addresses: the field and the edge that were
+// read. It can be replayed as if the fields lay elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "edgewise/bench/runner.hpp"
+#include "edgewise/bench/trace/trace_extent.hpp"
+#include "edgewise/layout_parts/field_groups.hpp"
+#include "edgewise/measure/cache/cache_machine.hpp"
+#include "edgewise/measure/cache/trace.hpp"
+#include "edgewise/store/rows.hpp"
+#include "edgewise/studies/single_cell.hpp"
+#include "edgewise/table/field_map.hpp"
+
+namespace edgewise::studies {
+
+/// One access to a field of a table's record.
+struct FieldAccess {
+    std::uint32_t table = 0, element = 0;
+    std::uint8_t field = 0, part = 0;  ///< as in FieldPlace
+
+    [[nodiscard]] bool operator==(const FieldAccess&) const = default;
+};
+
+/// One event of a trace.
+struct FieldEvent {
+    enum class Kind : std::uint8_t { query_start, step_start, field, other, query_end, frame_end };
+
+    Kind kind = Kind::frame_end;
+    measure::QueryStart start{};     ///< of a query's start
+    bool counts = false;             ///< of a query's end
+    FieldAccess field = {};          ///< of a field
+    measure::TracedAccess access{};  ///< of an access: as it was; of a step's start, its step
+};
+
+/// Fields of a table's records, and how many records have each.
+struct TableFields {
+    std::vector<RecordField> fields;
+    std::vector<std::uint32_t> records;  ///< by field
+
+    [[nodiscard]] std::size_t count() const { return fields.size(); }
+};
+
+struct FieldTrace {
+    std::vector<FieldMap> maps;       ///< of the tables
+    std::vector<TableFields> tables;  ///< the same in short
+    std::vector<FieldEvent> events;
+    std::uint64_t taken = 0;  ///< bytes of memory from the first table's start to the last one's end
+    std::uint64_t queries = 0;
+
+    [[nodiscard]] const std::vector<RecordField>& fields() const { return tables.front().fields; }
+};
+
+/// Traces a runner with a loaded workload. Throws std::invalid_argument if its layout does not say where its
+/// fields lie, or if the runner reads memory that is no field.
+[[nodiscard]] FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
+                                      const std::string& table);
+
+// Replays a trace as if its tables' fields lay elsewhere, access by access in the same order: the reads of
+// the same queries on a table with other records. They are computed from the groups alone; the reads of a
+// table that was really built this way are traced separately.
+
+/// Records by groups in one block a table, the tables one after another in an arena: the layout `grouped`.
+class GroupedPlaces {
+  public:
+    GroupedPlaces(const std::vector<TableFields>& tables, const FieldGroups& groups);
+
+    /// Returns the address of the field.
+    [[nodiscard]] std::uint64_t address(const FieldAccess& field) const {
+        const Column& column = columns_[field.table][field.field];
+        return column.first + field.element * column.stride + field.part;
+    }
+
+    /// Bytes from the first table's start to the last one's end.
+    [[nodiscard]] std::uint64_t taken() const { return taken_; }
+
+  private:
+    struct Column {
+        std::uint64_t first = 0, stride = 0;
+    };
+    std::vector<std::vector<Column>> columns_;  ///< by table and field
+    std::uint64_t taken_ = 0;
+};
+
+/// Replays the trace. Everything behind the tables (pairs' caches, the broad phase) moves with their end.
+void replay(const FieldTrace& trace, const GroupedPlaces& places, measure::TraceListener& listener);
+
+// Finds the groups of fields for which a trace's queries read the fewest lines: an exact search, not a rule
+// of thumb. A group is an array of records, and arrays begin on lines of their own, so one group's cost does
+// not depend on the others; the best way to part n fields into groups then follows from the cost of each of
+// their 2^n - 1 sets (dynamic programming over sets). Only the order of fields within a group, where it
+// decides which of them share a line, is found by exchanging two at a time.
+//
+// Vertical partitioning by affinity (Navathe et al., 1984; Chilimbi, Davidson and Larus, 1999, for
+// structures) takes the counts of CoAccess for a model of the cost. We count the lines themselves.
+
+/// Number of queries that the search reads: the first ones of the trace.
+inline constexpr std::uint64_t searched_queries = 2000;
+
+/// Returns the best groups. Fields that no query reads form a group of their own, one for each kind of
+/// record. Among equal numbers of lines fewer bytes win, then fewer groups.
+[[nodiscard]] FieldGroups best_groups(const FieldTrace& trace);
+
+/// Returns the groups that a table has now; nothing if fields of its records do not follow each other at one
+/// distance, or are scattered scalar by scalar.
+[[nodiscard]] std::optional<FieldGroups> groups_of(const FieldMap& map);
+
+// Groups of fields as text: JSON for files, {"groups": [["tail_plane", "head_plane"], ["direction"]]}, and
+// one line for people and for the store, "tail_plane,head_plane|direction".
+
+[[nodiscard]] std::string groups_text(const FieldGroups& groups, std::span<const RecordField> fields);
+[[nodiscard]] nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields);
+
+/// Reads a file in the format of groups_json, with every field once and one kind of record per group.
+/// Throws std::invalid_argument: file, what is wrong, which groups are expected.
+[[nodiscard]] FieldGroups read_groups(const std::string& file, std::span<const RecordField> fields);
+
 // Advice on a layout's records, and its outcome. From a trace of one cell: which fields are read
 // together, and the groups for which its queries read the fewest lines (predicted by replaying the trace
 // with the fields at their new places). Then the advised table is built, its answers are verified, its lines
@@ -8,23 +136,6 @@
 // Interleaved rounds time these tables: the table that was asked about; its own groups in the layout that
 // takes groups at run time, the baseline of the advice, since both pay for run-time groups; that baseline
 // once more: its ratio to itself is the noise; the advised groups; and a layout made by hand.
-#pragma once
-
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "edgewise/layout_parts/field_groups.hpp"
-#include "edgewise/measure/cache/cache_machine.hpp"
-#include "edgewise/measure/cache/trace.hpp"
-#include "edgewise/store/rows.hpp"
-#include "edgewise/studies/fields/field_trace.hpp"
-#include "edgewise/studies/single_cell.hpp"
-
-namespace edgewise::studies {
 
 /// [a][b] and [b][a]: number of times that fields a and b were both read; [a][a]: that field a was read.
 using FieldCounts = std::vector<std::vector<std::uint64_t>>;

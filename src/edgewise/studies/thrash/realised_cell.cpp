@@ -101,15 +101,15 @@ class PointRun {
         RealisedPoint point;
         point.queries = last - first;
         point.in_memory_ns = plain.counted_ns / queries;
-        point.predicted_hard = static_cast<double>(counted.hard) / queries;
-        point.predicted_soft = static_cast<double>(counted.soft) / queries;
-        point.hard = static_cast<double>(counts.hard) / queries;
-        point.soft = static_cast<double>(counts.soft) / queries;
+        point.predicted_faults = static_cast<double>(counted.hard) / queries;
+        point.predicted_soft_faults = static_cast<double>(counted.soft) / queries;
+        point.faults = static_cast<double>(counts.hard) / queries;
+        point.soft_faults = static_cast<double>(counts.soft) / queries;
         const auto filling_faults = static_cast<double>(before.hard + before.soft);
         point.fault_overhead_ns =
             std::max(0.0, paged.filling_ns - plain.filling_ns) / std::max(1.0, filling_faults);
-        point.predicted_ns = point.in_memory_ns + point.predicted_hard * wait_ns +
-                             (point.predicted_hard + point.predicted_soft) * point.fault_overhead_ns;
+        point.predicted_ns = point.in_memory_ns + point.predicted_faults * wait_ns +
+                             (point.predicted_faults + point.predicted_soft_faults) * point.fault_overhead_ns;
         point.measured_ns = paged.counted_ns / queries;
         point.same_answers = plain.sum == paged.sum;
         return {point};

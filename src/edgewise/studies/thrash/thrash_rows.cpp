@@ -116,8 +116,8 @@ std::vector<store::FigureRow> figures_of(const RealisedCurve& curve) {
         add("thrash.measured_us.{speed}", point.measured_ns / 1000);
         add("thrash.model_us.{speed}", point.model_ns / 1000);
         add("thrash.in_memory_us.{speed}", point.in_memory_ns / 1000);
-        add("thrash.predicted_faults.{speed}", point.predicted_hard);
-        add("thrash.measured_faults.{speed}", point.hard);
+        add("thrash.predicted_faults.{speed}", point.predicted_faults);
+        add("thrash.measured_faults.{speed}", point.faults);
         add("thrash.queries.{speed}", static_cast<double>(point.queries));
     }
     return figures.rows();

@@ -21,8 +21,9 @@ namespace edgewise::studies::thrash {
 struct RealisedPoint {
     double speed = 0;  ///< rad per second
     std::uint64_t queries = 0;
-    double in_memory_ns = 0;                                            ///< per query, without the pager
-    double predicted_hard = 0, predicted_soft = 0, hard = 0, soft = 0;  ///< faults per query
+    double in_memory_ns = 0;  ///< per query, without the pager
+    /// Per query. A soft fault maps a page that is in memory.
+    double predicted_faults = 0, predicted_soft_faults = 0, faults = 0, soft_faults = 0;
     double fault_overhead_ns = 0;  ///< of any fault beyond its wait, as the filling steps had it
     double predicted_ns = 0, measured_ns = 0;
     double model_ns = 0;        ///< of the factorial, with a processor of the time

@@ -80,7 +80,7 @@ double middle(std::vector<double> values) { return measure::median(values).value
 /// Rates of the same rounds over those of one thread.
 WayOfSharing way_of(int threads, const std::vector<double>& rates, const std::vector<double>& of_one) {
     WayOfSharing way;
-    way.per_second = middle(rates);
+    way.queries_per_second = middle(rates);
     way.speed_up = middle(measure::paired_ratios(rates, of_one));
     way.efficiency = way.speed_up / threads;
     return way;

@@ -65,9 +65,9 @@ struct ScalingPlan {
 
 /// Medians over rounds.
 struct WayOfSharing {
-    double per_second = 0;  ///< queries of all threads
-    double speed_up = 0;    ///< over one thread in the same way
-    double efficiency = 0;  ///< speed-up over threads
+    double queries_per_second = 0;  ///< of all threads
+    double speed_up = 0;            ///< over one thread in the same way
+    double efficiency = 0;          ///< speed-up over threads
 };
 
 struct ScalingRow {

@@ -19,7 +19,6 @@
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
-#include "edgewise/reports/page/first_screen/first_screen.hpp"
 #include "edgewise/reports/page/page.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/store.hpp"

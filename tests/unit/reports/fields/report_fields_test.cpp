@@ -3,8 +3,9 @@
 // The chapter on fields from synthetic rows: advice and verdicts, records before and after, the matrix.
 #include <gmock/gmock.h>
 
+#include "../made_up_data.hpp"
 #include "edgewise/reports/page/chapters/chapters.hpp"
-#include "edgewise/reports/tables/field_tables.hpp"
+#include "edgewise/reports/tables/tables.hpp"
 
 namespace edgewise::reports {
 namespace {
@@ -57,24 +58,18 @@ ReportData data_with_fields() {
     return data;
 }
 
-std::string cell_of(const TextGrid& grid, std::size_t row, const std::string& title, std::size_t nth = 0) {
-    for (std::size_t i = 0; i < grid.columns.size(); ++i)
-        if (grid.columns[i].title == title && nth-- == 0) return grid.rows.at(row).at(i).text;
-    throw std::invalid_argument("no column " + title);
-}
-
 TEST(FieldTables, SayWhatBecameOfAdvice) {
     const TextGrid grid = field_advice_grid(data_with_fields());
     ASSERT_EQ(grid.rows.size(), 3U) << "what failed gives no advice";
     for (const auto& row : grid.rows) ASSERT_EQ(row.size(), grid.columns.size());
-    EXPECT_EQ(cell_of(grid, 0, "predicted"), "27");
-    EXPECT_EQ(cell_of(grid, 0, "time, advised"), "0.980 [0.970, 0.990]");
-    EXPECT_EQ(cell_of(grid, 0, "misses, zen5 L1D"), "9");
-    EXPECT_EQ(cell_of(grid, 0, "as advised", 1), "7");
-    EXPECT_EQ(cell_of(grid, 0, "time"), "held");
-    EXPECT_EQ(cell_of(grid, 1, "time"), "within the noise");
-    EXPECT_EQ(cell_of(grid, 2, "time"), "did not hold");
-    EXPECT_EQ(cell_of(grid, 2, "lines", 1), "did not hold");
+    EXPECT_EQ(cell_of(grid, 0, "predicted").text, "27");
+    EXPECT_EQ(cell_of(grid, 0, "time, advised").text, "0.980 [0.970, 0.990]");
+    EXPECT_EQ(cell_of(grid, 0, "misses, zen5 L1D").text, "9");
+    EXPECT_EQ(cell_of(grid, 0, "as advised", 1).text, "7");
+    EXPECT_EQ(cell_of(grid, 0, "time").text, "held");
+    EXPECT_EQ(cell_of(grid, 1, "time").text, "within the noise");
+    EXPECT_EQ(cell_of(grid, 2, "time").text, "did not hold");
+    EXPECT_EQ(cell_of(grid, 2, "lines", 1).text, "did not hold");
 }
 
 TEST(FieldTables, CountVerdicts) {

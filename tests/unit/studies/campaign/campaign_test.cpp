@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/studies/campaign/run.hpp"
+#include "edgewise/studies/campaign/block_run.hpp"
 
 namespace edgewise::studies::campaign {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/page/first_screen/first_screen.hpp"
+#include "edgewise/reports/page/page.hpp"
 
 #include <fmt/core.h>
 
