@@ -66,14 +66,10 @@ struct BepuPlaces {
 template <Precision P, class Loader = Direct>
 class bepu : public PlacedTable<BepuPlaces<typename P::Stored>, P, Loader> {
     using Base = PlacedTable<BepuPlaces<typename P::Stored>, P, Loader>;
-    using Base::facts_;
-    using Base::load;
-    using Base::places_;
+    using Base::facts_, Base::load, Base::places_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Stored, typename Base::Vertex;
 
     static constexpr std::string_view name = "bepu";
     static constexpr std::string_view stores =

@@ -71,11 +71,8 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
     using Base = WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stored>, P, Loader>>;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Stored,
+        typename Base::Vertex;
 
     static constexpr std::string_view name = "box";
     static constexpr std::string_view stores = "three half extents of a box about the origin";

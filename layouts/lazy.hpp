@@ -27,8 +27,7 @@ namespace edgewise {
 template <class Table, class Loader>
 class Lazy : public Table {
   public:
-    using typename Table::Compute;
-    using typename Table::Edge;
+    using typename Table::Compute, typename Table::Edge;
 
     static constexpr std::string_view name = "lazy";
     static constexpr std::string_view stores =

@@ -39,14 +39,10 @@ struct VertexLine {
 template <Precision P, class Loader = Direct>
 class line_per_vertex : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
-    using Base::block_;
-    using Base::facts_;
-    using Base::load;
+    using Base::block_, Base::facts_, Base::load;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Stored, typename Base::Vertex;
 
     static constexpr std::string_view name = "line_per_vertex";
     static constexpr std::string_view stores =

@@ -73,14 +73,10 @@ class MujocoList {
 template <Precision P, class Loader = Direct>
 class mujoco : public PlacedTable<MujocoPlaces<typename P::Stored>, P, Loader> {
     using Base = PlacedTable<MujocoPlaces<typename P::Stored>, P, Loader>;
-    using Base::facts_;
-    using Base::load;
-    using Base::places_;
+    using Base::facts_, Base::load, Base::places_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Stored, typename Base::Vertex;
 
     static constexpr std::string_view name = "mujoco";
     static constexpr std::string_view stores =

@@ -67,16 +67,11 @@ struct ParryPlaces {
 template <Precision P, class Loader = Direct>
 class parry : public WithNumberedFeatures<PlacedTable<ParryPlaces<typename P::Stored>, P, Loader>> {
     using Base = WithNumberedFeatures<PlacedTable<ParryPlaces<typename P::Stored>, P, Loader>>;
-    using Base::facts_;
-    using Base::load;
-    using Base::places_;
+    using Base::facts_, Base::load, Base::places_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Stored,
+        typename Base::Vertex;
 
     static constexpr std::string_view name = "parry";
     static constexpr std::string_view stores =

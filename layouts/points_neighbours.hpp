@@ -49,12 +49,10 @@ struct PointRecord {
 template <Precision P, class Loader = Direct>
 class points_neighbours : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
-    using Base::block_;
-    using Base::load;
+    using Base::block_, Base::load;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
+    using typename Base::Compute, typename Base::Stored;
     using Vertex = PointHandle;
 
     static constexpr std::string_view name = "points_neighbours";

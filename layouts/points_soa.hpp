@@ -38,9 +38,7 @@ class points_soa : public PlacedTable<PointArrays<typename P::Stored>, P, Loader
     using Base::load;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Stored, typename Base::Vertex;
 
     static constexpr std::string_view name = "points_soa";
     static constexpr std::string_view stores = "vertex coordinates in three arrays, no neighbours";

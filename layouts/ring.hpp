@@ -84,18 +84,14 @@ struct RingArrays {
 template <Precision P, class Loader = Direct>
 class ring : public StoredTable<RingArrays<typename P::Stored>, P, Loader> {
     using Base = StoredTable<RingArrays<typename P::Stored>, P, Loader>;
-    using Base::load;
-    using Base::rings_;
+    using Base::load, Base::rings_;
 
   protected:
     using Base::at_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Stored,
+        typename Base::Vertex;
 
     static constexpr std::string_view name = "ring";
     static constexpr std::string_view stores =

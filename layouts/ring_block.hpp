@@ -81,15 +81,10 @@ class RingLanesView {
 template <Precision P, class Loader = Direct>
 class ring_block : public BlockTable<P, Loader> {
     using Base = BlockTable<P, Loader>;
-    using Base::block_;
-    using Base::facts_;
-    using Base::load;
-    using Base::loader_;
+    using Base::block_, Base::facts_, Base::load, Base::loader_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Stored, typename Base::Vertex;
 
     static constexpr std::string_view name = "ring_block";
     static constexpr std::string_view stores =

@@ -75,9 +75,7 @@ class shared_plane : public StoredTable<SharedPlaneArrays<typename P::Stored>, P
     using Base::at_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face;
 
     static constexpr std::string_view name = "shared_plane";
     static constexpr std::string_view stores =

@@ -69,16 +69,11 @@ struct SwiftPlaces {
 template <Precision P, class Loader = Direct>
 class swift : public HalfEdgeTable<swift<P, Loader>, SwiftPlaces<typename P::Stored>, P, Loader> {
     using Base = HalfEdgeTable<swift<P, Loader>, SwiftPlaces<typename P::Stored>, P, Loader>;
-    using Base::facts_;
-    using Base::load;
-    using Base::places_;
+    using Base::facts_, Base::load, Base::places_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Stored,
+        typename Base::Vertex;
 
     static constexpr std::string_view name = "swift";
     static constexpr std::string_view stores =

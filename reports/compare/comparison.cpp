@@ -18,8 +18,7 @@ namespace edgewise::reports {
 
 namespace {
 
-using measure::ComparedRow;
-using measure::Outcome;
+using measure::ComparedRow, measure::Outcome;
 
 constexpr const char* time_figure = "time.all_ratio";
 constexpr store::FigureName steps_figure("error.mean_steps"), lines_figure("lines.lines_per_query");

@@ -113,8 +113,7 @@ measure::FigureRecord modelled_record(const ReportData& data, const measure::Cac
 
 namespace {
 
-using measure::FigureRecord;
-using measure::RecordRow;
+using measure::FigureRecord, measure::RecordRow;
 
 /// A cell's name without its last word, the table.
 std::string question_of(const RecordRow& row) { return row.cell.substr(0, row.cell.rfind(' ')); }

@@ -24,9 +24,8 @@ namespace edgewise {
 
 /// D_k(X + {k}) for a subset X of `count` points with known cofactors; `Number` may have lanes.
 template <class Number, int count, class Points, class Known>
-[[nodiscard]] [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP inline Number cofactor(const Points& w,
-                                                                                   const Known& of,
-                                                                                   int subset, int k) {
+[[nodiscard]] [[gnu::always_inline]] inline Number cofactor(const Points& w, const Known& of, int subset,
+                                                            int k) {
     if (subset == 0) return Number{} + 1;
     const int m = std::countr_zero(static_cast<unsigned>(subset));
     Number sum = Number{};
@@ -50,7 +49,7 @@ struct CornersOfWhole {
     Number whole;
 
     template <class Vector>
-    [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP explicit CornersOfWhole(const SmallArray<Vector, 4>& w) {
+    [[gnu::always_inline]] explicit CornersOfWhole(const SmallArray<Vector, 4>& w) {
         const Vector p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
         const Vector across = cross(p, q);
         whole = dot(r, across);
@@ -68,7 +67,7 @@ class Cofactors {
   public:
     using Points = SimplexPoints<Scalar>;
 
-    [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP explicit Cofactors(const Points& w) {
+    [[gnu::always_inline]] explicit Cofactors(const Points& w) {
 #pragma GCC unroll 16
         for (int subset = 1; subset < proper_end; ++subset) {
             if (!is_asked(subset) && !is_asked_with_newest(subset)) continue;
@@ -83,7 +82,7 @@ class Cofactors {
     }
 
     /// Bit i is set if by its signs the closest point rests on ascending_subsets[i].
-    [[nodiscard]] [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP unsigned passing() const {
+    [[nodiscard]] [[gnu::always_inline]] unsigned passing() const {
         unsigned result = 0;
 #pragma GCC unroll 16
         for (unsigned i = 0; i < ascending_subsets.size(); ++i) {
@@ -122,7 +121,7 @@ class Cofactors {
     }
 
     /// Adds the signs of the whole's cofactors.
-    [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP void add_volumes(const Points& w) {
+    [[gnu::always_inline]] void add_volumes(const Points& w) {
         const CornersOfWhole<Scalar> volumes(w);
 #pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
@@ -137,8 +136,8 @@ class Cofactors {
 
 /// Computes the weights of the subset that passes by its signs; false if none does, or rounding misleads.
 template <int count, bool newest_belongs, class Scalar>
-[[nodiscard]] [[gnu::always_inline]] EDGEWISE_IN_QUERY_LOOP inline bool weigh_passing(
-    const SimplexPoints<Scalar>& w, ClosestOfSimplex<Scalar>& found) {
+[[nodiscard]] [[gnu::always_inline]] inline bool weigh_passing(const SimplexPoints<Scalar>& w,
+                                                               ClosestOfSimplex<Scalar>& found) {
     const Cofactors<Scalar, count, newest_belongs> cofactors(w);
     const unsigned passing = cofactors.passing();
     if (passing == 0) return false;

@@ -43,9 +43,8 @@ namespace edgewise {
 /// Weights on a thin triangle are less accurate than its foot: the difference of the witnesses of separated
 /// bodies from it is shared out, so that they are separated by the reported distance.
 template <class Points, class Scalar>
-[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Distance gjk_answer(const Points& simplex,
-                                                         const ClosestOfSimplex<Scalar>& closest,
-                                                         Status status, int steps) {
+[[nodiscard]] Distance gjk_answer(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
+                                  Status status, int steps) {
     Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
     for (int i = 0; i < simplex.count; ++i) {
         on_a += closest.weight[i] * simplex.on_a(i);
@@ -72,8 +71,7 @@ class GjkRun : GjkStart<TableA, TableB> {
     using Base = GjkStart<TableA, TableB>;
 
   public:
-    using typename Base::Pair;
-    using typename Base::Scalar;
+    using typename Base::Pair, typename Base::Scalar;
 
     GjkRun(const TableA& a, const TableB& b, const Transform<Scalar>& a_from_b,
            const QueryOptions& options = {})
@@ -101,11 +99,7 @@ class GjkRun : GjkStart<TableA, TableB> {
     }
 
   private:
-    using Base::a_;
-    using Base::a_from_b_;
-    using Base::b_;
-    using Base::is_cold_;
-    using Base::sub_;
+    using Base::a_, Base::a_from_b_, Base::b_, Base::is_cold_, Base::sub_;
 
     template <class Observer>
     [[nodiscard]] Distance iterate(Pair& pair, Observer&& observer) {

@@ -34,8 +34,7 @@ namespace edgewise {
 
 /// The triple product with every sign turned positive: its rounding is relative to this.
 template <class Scalar>
-[[nodiscard]] EDGEWISE_IN_QUERY_LOOP Scalar unsigned_volume(const Vec3<Scalar>& a, const Vec3<Scalar>& b,
-                                                            const Vec3<Scalar>& c) {
+[[nodiscard]] Scalar unsigned_volume(const Vec3<Scalar>& a, const Vec3<Scalar>& b, const Vec3<Scalar>& c) {
     const auto size = [](const Scalar& s) {
         using std::abs;
         return abs(s);
@@ -51,7 +50,7 @@ struct CornerVolumes {
     SmallArray<Scalar, 4> volume;
     bool hold_origin;  ///< all of one sign, beyond their rounding
 
-    EDGEWISE_IN_QUERY_LOOP explicit CornerVolumes(const SimplexPoints<Scalar>& w) {
+    explicit CornerVolumes(const SimplexPoints<Scalar>& w) {
         bool positive = true, negative = true;
         for (int k = 0; k < 4; ++k) {
             const auto &a = w[(k + 1) & 3], &b = w[(k + 2) & 3], &c = w[(k + 3) & 3];

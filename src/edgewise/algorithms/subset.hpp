@@ -111,9 +111,8 @@ struct ClosestOfSimplex {
 /// origin as the closest point, but for the rounding of coordinates up to `size`. The foot on the plane of a
 /// triangle may lie outside the triangle.
 template <class Points, class Scalar>
-[[nodiscard]] EDGEWISE_IN_QUERY_LOOP bool reaches_closest(const Points& simplex,
-                                                          const ClosestOfSimplex<Scalar>& closest,
-                                                          Scalar size) {
+[[nodiscard]] bool reaches_closest(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
+                                   Scalar size) {
     Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
     for (int i = 0; i < simplex.count; ++i)
         weighted += closest.weight[i] * Vec3<Scalar>(simplex.on_a(i) - simplex.on_b(i));

@@ -19,8 +19,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::EffortByPhase;
-using studies::PhaseEffort;
+using studies::EffortByPhase, studies::PhaseEffort;
 
 /// A part of `other` above which the table of phases wants a look, in per cent of the instructions.
 constexpr double much_other = 3;

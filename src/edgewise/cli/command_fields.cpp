@@ -16,8 +16,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::FieldsAdvice;
-using studies::FieldsContender;
+using studies::FieldsAdvice, studies::FieldsContender;
 using Role = FieldsContender::Role;
 
 /// An interval needs nine rounds.

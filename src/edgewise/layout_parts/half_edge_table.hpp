@@ -30,9 +30,7 @@ class HalfEdgeTable : public WithNumberedFeatures<PlacedTable<Places, P, Loader>
     using Base = WithNumberedFeatures<PlacedTable<Places, P, Loader>>;
 
   public:
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Vertex;
+    using typename Base::Edge, typename Base::Face, typename Base::Vertex;
 
     using Base::Base;
 

@@ -55,15 +55,11 @@ class StoredTable : public WithNumberedFeatures<BlockTable<P, Loader>> {
     using Base = WithNumberedFeatures<BlockTable<P, Loader>>;
 
   protected:
-    using Base::facts_;
-    using Base::loader_;
+    using Base::facts_, Base::loader_;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Stored;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Stored,
+        typename Base::Vertex;
 
     static constexpr std::string_view derives = "nothing";
 

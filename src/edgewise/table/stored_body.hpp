@@ -38,13 +38,6 @@ template <class Table>
 }
 }  // namespace detail
 
-/// True if some bodies in the storage's range are too large for the layout.
-template <class Table>
-inline constexpr bool is_limited = requires {
-    Table::most_neighbours;
-}
-|| requires { Table::most_vertices; };
-
 /// Returns the body as the table stores it. Fails when the storage cannot hold it: out of range, nothing left
 /// of it, or too large for the layout's indices. A layout declares `static constexpr std::size_t
 /// most_neighbours`, in the rings of all vertices together, or most_vertices. A layout with a vertex order of

@@ -12,8 +12,7 @@
 
 namespace edgewise::truth {
 
-using edgewise::cross;
-using edgewise::dot;
+using edgewise::cross, edgewise::dot;
 
 struct IntegerVec {
     mpz_class x, y, z;

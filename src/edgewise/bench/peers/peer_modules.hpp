@@ -41,8 +41,7 @@ class PeerRunner final : public Runner {
     /// `info` must outlive the runner.
     explicit PeerRunner(const peers::PeerInfo& info);
 
-    using Runner::answer;
-    using Runner::trace;
+    using Runner::answer, Runner::trace;
 
     /// The distance and the witnesses: a library names no features, and no depth is asked for.
     [[nodiscard]] NamedAnswer answer(const scene::Query& query) const override;

@@ -63,8 +63,7 @@ AdviceJson dropped_json(const Advice& advice, const AdviceJson& raced) {
 }
 
 using reports::RankedCell, reports::wrapped, reports::widest_line;
-using studies::advise::CacheCost;
-using studies::advise::DroppedFor;
+using studies::advise::CacheCost, studies::advise::DroppedFor;
 
 /// Of all tables of the case where it is known how many there are, else of one.
 std::string table_bytes_text(const studies::advise::CaseAsked& asked, const RankedCell& cell) {

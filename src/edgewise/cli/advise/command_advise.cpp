@@ -23,10 +23,8 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::advise::DroppedFor;
-using studies::advise::Screen;
-using studies::advise::ScreenedCell;
-using studies::advise::TimeLimit;
+using studies::advise::DroppedFor, studies::advise::Screen, studies::advise::ScreenedCell,
+    studies::advise::TimeLimit;
 
 // Parts of the time at which the first look and the race have to be over.
 constexpr double until_screened = 0.4, until_raced = 0.8;

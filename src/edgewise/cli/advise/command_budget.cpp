@@ -18,8 +18,7 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::advise::BodyCost;
-using studies::advise::SmallerBody;
+using studies::advise::BodyCost, studies::advise::SmallerBody;
 
 struct BudgetArguments {
     BodyChoice body;

@@ -21,10 +21,8 @@ namespace edgewise::cli {
 
 namespace {
 
-using studies::advise::CaseAsked;
-using studies::advise::RaceCost;
-using studies::advise::RacePlan;
-using studies::advise::ScreenedCell;
+using studies::advise::CaseAsked, studies::advise::RaceCost, studies::advise::RacePlan,
+    studies::advise::ScreenedCell;
 namespace fs = std::filesystem;
 
 /// The scenes of such a sweep: the case, and few bodies that fit the cache.

@@ -18,13 +18,9 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     using Base = DerivedPlanes<Points, P, Loader, RingPlaces>;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Vertex;
 
-    using Base::Base;
-    using Base::vertex;
+    using Base::Base, Base::vertex;
 
     /// True if all edges of the body turn outwards: then no corner lies higher behind a neighbour that is not
     /// higher.
@@ -70,9 +66,7 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
     }
 
   protected:
-    using Base::facts_;
-    using Base::loader_;
-    using Base::rings;
+    using Base::facts_, Base::loader_, Base::rings;
 
   private:
     /// Limit for a face that is tried: boxes have 4 corners, hulls with merged faces rarely more than 6.

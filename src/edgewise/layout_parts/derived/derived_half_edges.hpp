@@ -85,9 +85,7 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
     using Face = DerivedFace;
 
   protected:
-    using Base::block_;
-    using Base::facts_;
-    using Base::loader_;
+    using Base::block_, Base::facts_, Base::loader_;
     RingPlaces ring_places_;
 
     template <Precision, class, class>

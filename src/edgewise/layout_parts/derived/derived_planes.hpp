@@ -28,10 +28,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
 
   public:
     using Base::no_face;
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Vertex;
 
     static constexpr std::string_view derives = "edges, faces and every plane";
     static constexpr bool derives_planes = true;
@@ -99,10 +96,7 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
     }
 
   protected:
-    using Base::block_;
-    using Base::facts_;
-    using Base::loader_;
-    using Base::rings;
+    using Base::block_, Base::facts_, Base::loader_, Base::rings;
     [[no_unique_address]] Points points_;
 
     [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> polygon_plane(const Face& f) const {

@@ -23,9 +23,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     using Base = DerivedHalfEdges<P, Loader, RingPlaces>;
 
   public:
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Vertex;
+    using typename Base::Edge, typename Base::Face, typename Base::Vertex;
     /// Name of an edge in the ring of a vertex: its place.
     using RingName = Index;
 
@@ -86,17 +84,8 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     }
 
   protected:
-    using Base::all_triangles;
-    using Base::around;
-    using Base::corners_of;
-    using Base::edge_at;
-    using Base::facts_;
-    using Base::from_head;
-    using Base::from_tail;
-    using Base::half_edge_of;
-    using Base::loader_;
-    using Base::next;
-    using Base::rings;
+    using Base::all_triangles, Base::around, Base::corners_of, Base::edge_at, Base::facts_, Base::from_head,
+        Base::from_tail, Base::half_edge_of, Base::loader_, Base::next, Base::rings;
     using typename Base::Corners;
 
     DerivedRings(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {}

@@ -20,13 +20,9 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     using Base = DerivedEnds<Points, P, Loader, RingPlaces>;
 
   public:
-    using typename Base::Compute;
-    using typename Base::Edge;
-    using typename Base::Face;
-    using typename Base::Vertex;
+    using typename Base::Compute, typename Base::Edge, typename Base::Face, typename Base::Vertex;
 
-    using Base::Base;
-    using Base::vertex;
+    using Base::Base, Base::vertex;
 
     template <class Visit>
     void visit_vertex_planes(Vertex v, Visit visit) const {
@@ -103,8 +99,7 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     }
 
   protected:
-    using Base::loader_;
-    using Base::rings;
+    using Base::loader_, Base::rings;
 
   private:
     using Base::side_plane;

@@ -23,11 +23,8 @@ namespace edgewise::studies {
 
 namespace {
 
-using measure::ComparedRow;
-using measure::FigureRecord;
-using measure::Outcome;
-using measure::RecordComparison;
-using measure::RecordRow;
+using measure::ComparedRow, measure::FigureRecord, measure::Outcome, measure::RecordComparison,
+    measure::RecordRow;
 
 std::string word_of(const std::string& cell, int number) {
     std::istringstream words(cell);
