@@ -161,10 +161,10 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
         return plane.distance(point) > 0 ? std::optional(plane) : std::nullopt;
     }
 
-    [[nodiscard]] static std::optional<Edge> edge_named(std::uint32_t name) {
-        const Index axis = name >> 3;
-        const bool is_edge = (axis == 1 || axis == 2 || axis == 4) && (name & axis) == 0;
-        return is_edge ? std::optional<Edge>(name) : std::nullopt;
+    [[nodiscard]] static std::optional<Edge> edge_named(std::uint32_t number) {
+        const Index axis = number >> 3;
+        const bool is_edge = (axis == 1 || axis == 2 || axis == 4) && (number & axis) == 0;
+        return is_edge ? std::optional<Edge>(number) : std::nullopt;
     }
 
     /// Returns the vertex farthest along the direction, the first of equals: where rounding absorbs a side,

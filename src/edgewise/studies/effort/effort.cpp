@@ -221,7 +221,8 @@ double vertex_bytes(const SingleCell& cell, const Ledger& ledger) {
 
 void take_trace(const SingleCell& cell, double bytes_of_vertex, Effort& effort) {
     if (effort.is_peer) {
-        effort.vertices_read = effort.lines_read = Count::none("the reads of a library cannot be counted from outside");
+        effort.vertices_read = effort.lines_read =
+            Count::none("the reads of a library cannot be counted from outside");
         return;
     }
     ReadCounter counter;
