@@ -215,6 +215,7 @@ constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
                                        {"recorded", "seconds", 0},
                                        {"recorded", "margin", 0.02},
                                        {"recorded", "own_pairs", 0},
+                                       {"recorded", "link", -1},
                                        {"recorded", "segment", 10},
                                        {"recorded", "own_tables", 0},
                                        {"recorded", "recording", 0}};

@@ -172,15 +172,17 @@ std::vector<TextGrid> machine_grids(const FactsJson& machine) {
     counters.shown_rows = counters.rows.size();
     TextGrid facts = members_grid("Processor", part("cpu"), part("unreadable"));
     const TextGrid others = members_grid("Machine", further, part("unreadable"));
+    FactsJson kinds = FactsJson::object();  // none in stores of earlier versions
+    for (const auto& kind : part("cores"))
+        kinds[fmt::format("cores {}", kind.value("processors", ""))] =
+            fmt::format("{}; allowed: {}; {}", kind.value("caches", ""), kind.value("allowed", ""),
+                        kind.value("bind", ""));
+    const TextGrid cores = members_grid("", kinds, {});
+    facts.rows.insert(facts.rows.end(), cores.rows.begin(), cores.rows.end());
     facts.rows.insert(facts.rows.end(), others.rows.begin(), others.rows.end());
     facts.caption = others.caption;
     facts.shown_rows = facts.rows.size();
-    std::vector<TextGrid> grids = {std::move(facts), std::move(caches), std::move(counters)};
-    if (const FactsJson cores = part("cores"); !cores.empty()) {  // stores of earlier versions have none
-        grids.insert(grids.begin() + 1, member_grid(cores, "cores = processors|caches|allowed|bind"));
-        grids[1].caption = "Topology: cores with equal caches";
-    }
-    return grids;
+    return {std::move(facts), std::move(caches), std::move(counters)};
 }
 
 TextGrid facts_grid(const ReportData& data) {

@@ -193,9 +193,13 @@ TEST_P(Query, TouchesWithinTheContactTolerance) {
 
 TEST_P(Query, SolvesWithEitherSolver) {
     const std::string line = pair_line("near", tetrahedron, 1.125);
-    const auto by_default = answers_of(ask(line));
+    auto by_default = answers_of(ask(line)),
+         by_johnson = answers_of(ask(line, {"--sub-distance", "johnson"}));
     EXPECT_EQ(answers_of(ask(line, {"--sub-distance", "cofactors"})), by_default);
-    EXPECT_EQ(answers_of(ask(line, {"--sub-distance", "johnson"})), by_default);
+    // The search in singles counts its first support points as a step.
+    by_default[0].erase("steps");
+    by_johnson[0].erase("steps");
+    EXPECT_EQ(by_johnson, by_default);
     const auto unknown = ask(line, {"--sub-distance", "volumes"});
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.err,
