@@ -127,7 +127,7 @@ class GjkRun : GjkStart<TableA, TableB> {
         if (!pair.starts_warm(a_, b_)) return false;
         starts_near_ = true;
         const std::uint32_t count = pair.count();
-        if (count == 0 || count == 4) return false;
+        if (count - 1 >= 3) return false;  // none, or four: they surround the origin
         KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
         for (std::uint32_t i = 0; i < count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
         const bool rests = kept.rests_on_all();

@@ -91,7 +91,7 @@ template <CountedTable Table>
     const std::size_t count = table.vertex_count();
     typename Of::Numbers heights;
     heights_from(table, direction, 0, heights);
-    HighestOfPacks<ComputeOf<Table>> highest(heights);
+    HighestOfPacks<Of> highest(heights);
     for (std::size_t first = Of::size; first < count; first += Of::size) {
         heights_from(table, direction, first, heights);
         highest.take(heights, first);

@@ -24,9 +24,18 @@ inline constexpr int pack_bytes = 16;
 inline constexpr int pack_bytes = 0;
 #endif
 
-template <class Scalar>
+/// Returns true if the processor compares all numbers of 32 bytes at once, though this build's flags are for
+/// processors that do not.
+[[nodiscard]] inline bool has_wider_packs() {
+#ifdef __x86_64__
+    return pack_bytes < 32 && __builtin_cpu_supports("avx2");
+#else
+    return false;
+#endif
+}
+
+template <class Scalar, int bytes = std::max(pack_bytes, 16)>
 struct Pack {
-    static constexpr int bytes = pack_bytes > 0 ? pack_bytes : 16;
     static constexpr int size = bytes / int{sizeof(Scalar)};
     static_assert(size == 2 || size == 4 || size == 8);
 
@@ -68,7 +77,8 @@ struct Pack {
     }
 
     /// Returns the greatest of the lanes' numbers.
-    [[nodiscard]] [[gnu::always_inline]] static Scalar greatest(Numbers numbers) {
+    [[nodiscard]] [[gnu::always_inline]] static Scalar greatest(const Numbers& of) {
+        Numbers numbers = of;
         fold(
             numbers, [](auto& a, const auto& b) __attribute__((always_inline)) { a = b > a ? b : a; });
         return numbers[0];
@@ -98,10 +108,8 @@ struct Pack {
 };
 
 /// Keeps the highest number and its position for each lane, over all packs so far.
-template <class Scalar>
+template <class Of>
 struct HighestOfPacks {
-    using Of = Pack<Scalar>;
-
     typename Of::Numbers heights;
     typename Of::Words where;
 
@@ -112,9 +120,10 @@ struct HighestOfPacks {
     [[gnu::always_inline]] void take(const typename Of::Numbers& next, std::size_t first) {
         typename Of::Words places;
         Of::count_from(static_cast<typename Of::Word>(first), places);
-        const typename Of::Words higher = next > heights;
-        heights = higher ? next : heights;
-        where = higher ? places : where;
+        // Each pack waits for the maximum alone, not for a comparison and a selection.
+        const typename Of::Numbers before = heights;
+        heights = next > before ? next : before;
+        where = heights != before ? places : where;
     }
     /// The first of the highest vertices; at most `last`, which it returns where heights are NaN.
     [[nodiscard]] [[gnu::always_inline]] std::size_t first_highest(std::size_t last) const {
