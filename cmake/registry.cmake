@@ -33,6 +33,21 @@ function(edgewise_layout LAYOUT)
     endforeach()
 endfunction()
 
+# edgewise_default_builds(ALGORITHM CLASS TYPE...): the algorithm's query loops on these table types are also compiled as
+# applications compile them, each as a module (axis build=default). Of a layout that this build leaves out there is none.
+function(edgewise_default_builds ALGORITHM CLASS)
+    get_property(built GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
+    foreach(type IN LISTS ARGN)
+        if(type IN_LIST built)
+            string(REGEX REPLACE "_[^_]*$" "" LAYOUT ${type})
+            string(REGEX REPLACE "^.*_" "" PRECISION ${type})
+            configure_file(${PROJECT_SOURCE_DIR}/cmake/default_build.cpp.in
+                ${PROJECT_BINARY_DIR}/registry/default_${ALGORITHM}_${type}.cpp @ONLY)
+            set_property(GLOBAL APPEND PROPERTY EDGEWISE_DEFAULT_BUILDS ${ALGORITHM}_${type})
+        endif()
+    endforeach()
+endfunction()
+
 # edgewise_table_type_list(FILE TYPE...): writes the unit that lists these table types, in this order. PEERS_FOLDER,
 # if it is set: the folder with its peers' modules, next to the program.
 function(edgewise_table_type_list FILE)

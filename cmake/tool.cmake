@@ -170,6 +170,20 @@ edgewise_precompile(edgewise_cli <CLI/CLI.hpp> <Eigen/Core> <fmt/format.h> <nloh
 add_executable(edgewise_program)
 set_target_properties(edgewise_program PROPERTIES OUTPUT_NAME edgewise RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_link_libraries(edgewise_program PRIVATE edgewise_cli edgewise_tool)
+# Query loops as applications compile them: modules, because code of two kinds of flags must not share one symbol.
+get_property(default_builds GLOBAL PROPERTY EDGEWISE_DEFAULT_BUILDS)
+foreach(name IN LISTS default_builds)
+    add_library(default_${name} MODULE EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/registry/default_${name}.cpp)
+    target_link_libraries(default_${name} PRIVATE edgewise_library)
+    target_compile_options(default_${name} PRIVATE -O2 -fvisibility=hidden $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+    target_compile_definitions(default_${name} PRIVATE EDGEWISE_PEER_FLAGS="-O2" EDGEWISE_PEER_LIBRARY="Edgewise")
+    set_target_properties(default_${name} PROPERTIES PREFIX "" OUTPUT_NAME ${name}
+        LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/default_builds)
+    if(NOT EDGEWISE_SANITIZE)
+        add_dependencies(edgewise_program default_${name})
+    endif()
+endforeach()
+
 # Tests under sanitizers do not start it.
 if(EDGEWISE_SANITIZE)
     set_target_properties(edgewise_program edgewise_cli edgewise_reports edgewise_report_tables PROPERTIES EXCLUDE_FROM_ALL ON)

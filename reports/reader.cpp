@@ -59,7 +59,9 @@ void name_by_file(std::vector<ReportCell>& cells,
     std::map<std::string, const std::string*> texts;
     for (const auto& [name, text] : scene_files) texts[name] = &text;
     for (ReportCell& cell : cells) {
-        const std::string& text = *texts.at(cell.scene);
+        const auto found = texts.find(cell.scene);
+        if (found == texts.end()) continue;
+        const std::string& text = *found->second;
         cell.scene_label = scene_label(cell, text);
         const auto json = input::json_or_null(text);
         if (json.is_object() && json.contains("scene") && json["scene"].is_string())
@@ -84,11 +86,14 @@ void sort_out(ReportData& data) {
     });
     data.effort = take_out(data.cells, of("effort"));
     data.fields = take_out(data.cells, of("fields"));
+    data.again =
+        take_out(data.cells, [](const ReportCell& cell) { return cell.run.starts_with(store::process_run); });
     data.other_studies =
         take_out(data.cells, [](const ReportCell& cell) { return cell.run != store::sweep_run; });
     data.from_files =
         take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
     name_by_file(data.from_files, data.scene_files);
+    name_by_file(data.again, data.scene_files);
     const auto is_peer = [](const ReportCell& cell) { return cell.judged() && !cell.is_raw(); };
     std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.peers), is_peer);
     std::erase_if(data.cells, is_peer);
@@ -242,7 +247,8 @@ std::string scene_label(const store::CellRow& cell, const std::string& file_text
     std::vector<std::string> inside;
     for (const auto& [name, value] : parameters.items())
         if (!goes_without_saying(kind, name, value)) inside.push_back(name + " " + shown(value));
-    const bool of_study = cell.run != store::sweep_run && cell.scene != cell.run;
+    const bool of_study =
+        cell.run != store::sweep_run && !cell.run.starts_with(store::process_run) && cell.scene != cell.run;
     return label(of_study ? cell.run + " " + cell.scene : cell.scene, inside);
 }
 

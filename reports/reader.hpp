@@ -42,6 +42,7 @@ struct ReportData {
     std::vector<ReportCell> fields;  ///< rows of the fields run; likewise
     std::vector<ReportCell> other_studies;  ///< rows of studies without a chapter of their own; likewise
     std::vector<ReportCell> peers;  ///< cells of other libraries, in the scenes of `cells`; order likewise
+    std::vector<ReportCell> again;  ///< cells that further processes of the sweep timed again; likewise
     std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 
     /// The sweep's cells, of built-in scenes and of files, in this order; no peers, no rows of other runs.

@@ -32,8 +32,10 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
         const auto count = [&](const char* name) {
             return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
         };
-        runs.push_back(
-            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
+        const double others =
+            json.contains("others") && json["others"].is_number() ? json["others"].get<double>() : 0;
+        runs.push_back({key.substr(prefix.size()), count("cells"), count("done"), text("started"),
+                        text("ended"), others});
     }
     return runs;
 }
@@ -110,7 +112,8 @@ struct StoredScenes {
 StoredScenes scenes_of(const ReportData& data) {
     StoredScenes scenes;
     std::vector<const ReportCell*> cells = data.swept();
-    for (const ReportCell& peer : data.peers) cells.push_back(&peer);
+    for (const auto* from : {&data.peers, &data.again})
+        for (const ReportCell& cell : *from) cells.push_back(&cell);
     for (const ReportCell* cell : cells) {
         const std::string key = cell->scene + '\n' + cell->scene_parameters;
         if (!scenes.by_key.contains(key)) scenes.order.push_back(key);
@@ -180,6 +183,8 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     Answer answer;
     answer.question = question;
     answer.baseline = baseline_of(data);
+    answer.runs = sweep_runs(data);
+    for (const SweepRun& run : answer.runs) answer.others = std::max(answer.others, run.others);
     answer.shape = question.shape.value_or(reference_shape(data));
     const StoredScenes stored = scenes_of(data);
     std::vector<SceneRanking> scenes;
@@ -207,7 +212,6 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
 Answer answer_of(const ReportData& data, const Question& question) {
     Answer answer = answer_of_scenes(data, question);
     answer.counts = counts_of(data);
-    answer.runs = sweep_runs(data);
     answer.gaps = gaps_of(data);
     return answer;
 }

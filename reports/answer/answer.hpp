@@ -22,6 +22,7 @@ struct SweepRun {
     std::size_t planned = 0;     ///< cells
     std::size_t done = 0;        ///< number of planned cells that the sweep reached
     std::string started, ended;  ///< UTC, ISO 8601; `ended` is empty when it was stopped
+    double others = 0;  ///< while it timed: what others took of the processor (measure::ShareOfOthers)
     [[nodiscard]] bool finished() const { return !ended.empty(); }
 };
 
@@ -66,6 +67,7 @@ struct Answer {
     std::vector<SceneRanking> near;    ///< scenes near contact, with one shared table
     CellCounts counts;
     std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
+    double others = 0;           ///< the largest of theirs
     Gaps gaps;
 
     [[nodiscard]] std::vector<const SceneRanking*> scenes() const;  ///< shared, own, near
@@ -77,7 +79,7 @@ struct Answer {
 /// Ranks all scenes. The data must outlive the answer. Scenes without the requested shape are left out. If no
 /// shape is requested, each scene answers for the reference shape, else for its largest.
 [[nodiscard]] Answer answer_of(const ReportData& data, const Question& question = {});
-/// Ranks the scenes only: counts, runs and gaps do not depend on the question.
+/// Ranks the scenes only: counts and gaps do not depend on the question.
 [[nodiscard]] Answer answer_of_scenes(const ReportData& data, const Question& question);
 
 /// One algorithm and table type for several scenes.

@@ -101,6 +101,21 @@ std::string why_sentence(const RankedCell& cell, const RankedCell& beside) {
                        both(of_step(cell), of_step(beside), "ns per step"));
 }
 
+namespace {
+
+/// Says what the intervals of the cells that matter, those in the tie sets, hold for.
+std::string intervals_sentence(const Answer& answer) {
+    std::size_t between = 0, ties = 0;
+    for (const SceneRanking* scene : answer.scenes())
+        for (const std::size_t i : scene->ties) ++ties, between += scene->cells[i].holds_between_processes();
+    if (between == 0) return "Intervals are over the rounds of one process.";
+    return fmt::format(
+        "Intervals of {} hold between processes; others are over the rounds of one process.",
+        between == ties ? "cells that tie" : fmt::format("{} of {} cells that tie", between, ties));
+}
+
+}  // namespace
+
 AnswerText answer_text(const Answer& answer, const ReportData& data) {
     AnswerText text;
     text.conditions = conditions_of(answer, data);
@@ -110,8 +125,8 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
             ? "The baseline's own variation was not measured: it is not among the cells."
             : fmt::format(
                   "The baseline timed against itself differs by {}: its own variation. Cells that differ by less in "
-                  "that scene tie. Intervals are over the rounds of one process.",
-                  noise);
+                  "that scene tie. {}",
+                  noise, intervals_sentence(answer));
     text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
     if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
     return text;

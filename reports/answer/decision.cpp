@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -39,26 +40,45 @@ std::string time_fact(const Recommendation& take) {
     return text;
 }
 
-/// Compares the cell with the winner of each scene near contact, and names the largest difference.
-std::string near_contact_fact(const Recommendation& take, const std::vector<SceneRanking>& scenes,
-                              bool& changes_it) {
-    const RankedCell *here = nullptr, *winner = nullptr;
-    std::size_t asked = 0;
-    for (const SceneRanking& scene : scenes) {
-        const RankedCell* const cell = scene.find(take.algorithm, take.table);
-        if (!cell || !scene.winner() || !scene.recommends() || scene.too_noisy) continue;
-        if (!cell->meets_error()) return changes_it = true, "near contact: " + cell->dropped;
-        ++asked;
-        if (scene.ties_with_winner(*cell)) continue;
-        if (!here || cell->ratio / scene.winner()->ratio > here->ratio / winner->ratio)
-            here = cell, winner = scene.winner();
+/// How the cell to take compares with the fastest under a condition that has no vote: near contact, default
+/// compiler flags.
+class Condition {
+  public:
+    Condition(const char* name, const Recommendation& take) : name_(name), take_(take) {}
+
+    /// Compares them in one scene, whose cells are given fastest first.
+    void compare(const std::vector<RankedCell>& cells, const SceneRanking& scene) {
+        was_asked_ = true;
+        const auto winner = std::ranges::find_if(cells, &RankedCell::meets_error);
+        const auto here = std::ranges::find_if(cells, [&](const RankedCell& one) {
+            return one.cell->algorithm == take_.algorithm && one.table == take_.table;
+        });
+        if (here == cells.end() || winner == cells.end() || !scene.recommends() || scene.too_noisy) return;
+        ++compared_;
+        if (!here->meets_error()) dropped_ = here->dropped;
+        if (ties(here->range(), winner->range(), scene.own_variation)) return;
+        if (!here_ || here->ratio / winner->ratio > here_->ratio / winner_->ratio)
+            here_ = &*here, winner_ = &*winner;
     }
-    changes_it = here != nullptr;
-    if (asked == 0) return scenes.empty() ? "near contact: not measured" : "near contact: too noisy to say";
-    if (!here) return "near contact: the same";
-    return fmt::format("near contact: {} takes {:.2f}, this {:.2f}", winner->name(), winner->ratio,
-                       here->ratio);
-}
+
+    [[nodiscard]] bool changes_it() const { return here_ || !dropped_.empty(); }
+    /// Names the largest difference: "near contact: GJK on lean_f64 takes 0.59, this 1.00".
+    [[nodiscard]] std::string fact() const {
+        if (!dropped_.empty()) return name_ + ": " + dropped_;
+        if (here_)
+            return fmt::format("{}: {} takes {:.2f}, this {:.2f}", name_, winner_->name(), winner_->ratio,
+                               here_->ratio);
+        return name_ + (compared_ > 0 ? ": the same" : was_asked_ ? ": too noisy to say" : ": not measured");
+    }
+
+  private:
+    std::string name_;
+    const Recommendation& take_;
+    const RankedCell *here_ = nullptr, *winner_ = nullptr;
+    std::size_t compared_ = 0;
+    bool was_asked_ = false;
+    std::string dropped_;
+};
 
 /// Says why the scenes of a body recommend nothing, and how to measure what is missing.
 std::vector<std::string> why_nothing_is_taken(const std::vector<SceneRanking>& scenes,
@@ -83,6 +103,11 @@ std::string bytes_fact(const RankedCell& cell) {
 Decision decision_of(const Answer& answer, bool own_tables) {
     const std::vector<SceneRanking>& scenes = own_tables ? answer.own : answer.shared;
     const std::optional<Recommendation> take = recommendation_of(scenes);
+    if (take && answer.others > measure::most_of_others)
+        return {{},
+                {fmt::format("the machine was busy: others took {:.0f} % of the processor while it timed; "
+                             "measure again when it is quiet",
+                             100 * answer.others)}};
     if (!take) return {{}, why_nothing_is_taken(scenes, measuring_command(answer, own_tables))};
     if (take->scenes.front().scene->too_noisy)
         return {{}, {"too noisy to choose by: the winner's interval spans more than a factor of 2"}};
@@ -92,7 +117,13 @@ Decision decision_of(const Answer& answer, bool own_tables) {
     const auto near_error = worst_error_of(answer.near, take->algorithm, take->table);
     if (const double error = std::max(take->worst_error.value_or(0), near_error.value_or(0)); error > 0)
         decision.facts.push_back("worst error " + number_text(error, "scale"));
-    decision.facts.push_back(near_contact_fact(*take, answer.near, decision.near_contact_changes_it));
+    Condition near("near contact", *take), default_flags("default flags", *take);
+    for (const SceneRanking& scene : answer.near) near.compare(scene.cells, scene);
+    for (const SceneRanking& scene : scenes)
+        if (!scene.default_flags.empty()) default_flags.compare(scene.default_flags, scene);
+    decision.facts.insert(decision.facts.end(), {near.fact(), default_flags.fact()});
+    decision.near_contact_changes_it = near.changes_it();
+    decision.default_flags_change_it = default_flags.changes_it();
     return decision;
 }
 
@@ -119,33 +150,47 @@ std::vector<DecisionRow> decision_rows(const ReportData& data, Question question
     return rows;
 }
 
-/// Returns "take V-Clip on lean_f32 for most bodies": what most rows of a column take; empty if none does.
-std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn column) {
-    std::map<std::string, std::size_t> counts;
-    std::size_t all = 0;
-    for (const DecisionRow& row : rows)
-        if (!(row.*column).take.empty()) ++all, ++counts[(row.*column).take];
-    if (all == 0) return {};
-    const auto most = std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; });
-    if (2 * most->second <= all) return "the layout to take depends on the body";
-    return fmt::format("take {}{}", most->first, most->second == all ? "" : " for most bodies");
+/// Returns "V-Clip on lean_f32" if more than half of the rows of a column take it; else "V-Clip on lean" if
+/// they do without the precision; else nothing. `all`: set to true if all rows that take something take it.
+std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn column, bool& all) {
+    for (const bool with_precision : {true, false}) {
+        std::map<std::string, std::size_t> counts;
+        std::size_t taking = 0;
+        for (const DecisionRow& row : rows) {
+            const std::string& take = (row.*column).take;
+            if (!take.empty()) ++taking, ++counts[with_precision ? take : take.substr(0, take.rfind('_'))];
+        }
+        for (const auto& [take, count] : counts) {
+            all = count == taking;
+            if (2 * count > taking) return take;
+        }
+    }
+    return {};
 }
 
 std::string decision_sentence(const std::vector<DecisionRow>& rows) {
     std::string text;
-    for (const DecisionColumn column : decision_columns)
-        if (const std::string taken = taken_by_most(rows, column); !taken.empty())
-            append(text,
-                   (column == &DecisionRow::own ? "If every body has a table of its own, "
-                                                : "If your bodies share a table, ") +
-                       taken + ".",
-                   " ");
+    for (const DecisionColumn column : decision_columns) {
+        if (std::ranges::all_of(rows, [&](const auto& row) { return (row.*column).take.empty(); })) continue;
+        bool all = false;
+        const std::string take = taken_by_most(rows, column, all);
+        append(text,
+               fmt::format("{}{}.",
+                           column == &DecisionRow::own ? "If every body has a table of its own, "
+                                                       : "If your bodies share a table, ",
+                           take.empty() ? "the layout to take depends on the body"
+                                        : fmt::format("take {}{}", take, all ? "" : " for most bodies")),
+               " ");
+    }
     if (text.empty()) return "Nothing is recommended; the table says why.";
-    std::size_t changed = 0, all = 0;
+    std::size_t near = 0, flags = 0, all = 0;
     for (const DecisionRow& row : rows)
         for (const DecisionColumn column : decision_columns)
-            changed += (row.*column).near_contact_changes_it, all += !(row.*column).take.empty();
-    if (changed > 0) text += fmt::format(" Near contact changes {} of {}.", changed, plural(all, "answer"));
+            near += (row.*column).near_contact_changes_it, flags += (row.*column).default_flags_change_it,
+                all += !(row.*column).take.empty();
+    if (near + flags > 0)
+        text += fmt::format(" Of {}, near contact changes {} and default compiler flags {}.",
+                            plural(all, "answer"), near, flags);
     return text;
 }
 
@@ -188,9 +233,6 @@ Decisions::Decisions(const ReportData& data, const Question& question) {
         if (!by_limit_.contains(limit))
             by_limit_[limit] = decision_rows(
                 data, {.error_limit = limit, .shape = question.shape, .own_tables = question.own_tables});
-    if (data.build.flags.find("-march=") != std::string::npos)
-        not_measured_.emplace_back(
-            "Default compiler flags: not measured, the program was compiled with -march");
     if (data.meta_value("plan") == "quick") not_measured_.push_back(prose("not_in_contest.md"));
 }
 

@@ -15,9 +15,10 @@ namespace edgewise::reports {
 /// One cell of the table.
 struct Decision {
     std::string take;  ///< "V-Clip on lean_f32"; empty: nothing is recommended
-    /// The time over the paper's layout, bytes, worst error and near contact; or why nothing is recommended.
+    /// The time over the paper's layout, bytes, worst error, near contact and default flags; or why nothing
+    /// is recommended.
     std::vector<std::string> facts;
-    bool near_contact_changes_it = false;
+    bool near_contact_changes_it = false, default_flags_change_it = false;
 
     /// Returns "take V-Clip on lean_f32: 0.72 [0.69, 0.83] of the time of the paper's layout; ...".
     [[nodiscard]] std::string text() const;

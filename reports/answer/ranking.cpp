@@ -35,32 +35,46 @@ std::string plain_axes(std::span<const ReportCell* const> cells) {
 
 constexpr double slowest_tie = 1.25, widest_interval = 2;
 
-/// The cells of the scene's own question, each with all that measured it.
-std::vector<std::vector<const ReportCell*>> runs_of(std::span<const ReportCell* const> cells,
-                                                    Variation variation) {
-    const std::string plain = plain_axes(cells);
-    std::vector<std::vector<const ReportCell*>> runs;
-    std::map<std::pair<std::string, std::string>, std::size_t> known;  // index in `runs`
-    for (const ReportCell* cell : cells) {
-        if (cell->is_raw() || (!cell->judged() && cell->axes != plain)) continue;
-        const auto [found, fresh] = known.emplace(std::pair(cell->algorithm, cell->table), runs.size());
-        if (fresh || variation == Variation::rounds) {
-            runs.push_back({cell});
-        } else {
-            runs[found->second].push_back(cell);
-        }
-    }
-    return runs;
+/// Other libraries, and the cells of a scene's question with these axes, each with all that measured it;
+/// fastest first.
+std::vector<RankedCell> ranked_cells(std::span<const ReportCell* const> cells, const std::string& axes,
+                                     bool peers, double error_limit) {
+    std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> runs;
+    for (const ReportCell* cell : cells)
+        if (!cell->is_raw() && cell->judged() == peers && (peers || cell->axes == axes))
+            runs[{cell->algorithm, cell->table}].push_back(cell);
+    std::vector<RankedCell> ranked;
+    for (const auto& [name, measured] : runs)
+        if (auto one = ranked_cell(measured, error_limit)) ranked.push_back(std::move(*one));
+    std::ranges::stable_sort(ranked, {}, &RankedCell::ratio);
+    return ranked;
 }
 
-void sort_by_ratio(std::vector<RankedCell>& cells) {
-    std::ranges::stable_sort(cells, {}, &RankedCell::ratio);
+const RankedCell* find_in(const std::vector<RankedCell>& cells, const std::string& algorithm,
+                          const std::string& table) {
+    const auto found = std::ranges::find_if(
+        cells, [&](const RankedCell& one) { return one.cell->algorithm == algorithm && one.table == table; });
+    return found == cells.end() ? nullptr : &*found;
+}
+
+/// The cells compiled with default flags, by their ratio to the baseline among them; empty without one.
+std::vector<RankedCell> with_default_flags(std::span<const ReportCell* const> cells, const std::string& axes,
+                                           double error_limit, const Baseline& baseline) {
+    std::vector<RankedCell> ranked = ranked_cells(cells, axes, false, error_limit);
+    const RankedCell* const to = find_in(ranked, baseline.algorithm, baseline.table);
+    if (!to) return {};
+    const double ratio = to->ratio;
+    for (RankedCell& one : ranked) {
+        one.ratio /= ratio;
+        if (one.interval) one.interval->low /= ratio, one.interval->high /= ratio;
+    }
+    return ranked;
 }
 
 void find_own_variation(SceneRanking& scene) {
     const RankedCell* own = scene.baseline();
     if (!own) return;
-    const bool several = own->processes > 1;
+    const bool several = own->holds_between_processes();
     const double low = several ? own->low() : own->ratio, high = several ? own->high() : own->ratio;
     scene.own_variation.factor = std::max(high, 1 / low);
 }
@@ -147,9 +161,7 @@ std::optional<RankedCell> ranked_cell(const ReportCell& cell, double error_limit
 const RankedCell* SceneRanking::winner() const { return ties.empty() ? nullptr : &cells[ties.front()]; }
 
 const RankedCell* SceneRanking::find(const std::string& algorithm, const std::string& table) const {
-    const auto found = std::ranges::find_if(
-        cells, [&](const RankedCell& one) { return one.cell->algorithm == algorithm && one.table == table; });
-    return found == cells.end() ? nullptr : &*found;
+    return find_in(cells, algorithm, table);
 }
 
 const RankedCell* SceneRanking::baseline() const { return find(ratios_to.algorithm, ratios_to.table); }
@@ -189,14 +201,14 @@ const RankedCell* SceneRanking::choice() const {
 }
 
 SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_limit,
-                        const Baseline& baseline, Variation variation) {
+                        const Baseline& baseline) {
     SceneRanking scene;
     scene.ratios_to = baseline;
-    for (const auto& runs : runs_of(cells, variation))
-        if (auto ranked = ranked_cell(runs, error_limit))
-            (runs.front()->judged() ? scene.peers : scene.cells).push_back(std::move(*ranked));
-    sort_by_ratio(scene.cells);
-    sort_by_ratio(scene.peers);
+    const std::string plain = plain_axes(cells), default_flags = "build=default";
+    scene.cells = ranked_cells(cells, plain, false, error_limit);
+    scene.peers = ranked_cells(cells, plain, true, error_limit);
+    scene.default_flags = with_default_flags(
+        cells, plain.empty() ? default_flags : plain + "+" + default_flags, error_limit, baseline);
     find_own_variation(scene);
     find_ties(scene);
     scene.beats_baseline = beats_baseline(scene);

@@ -10,8 +10,8 @@
 // Dropped are cells with a worst error over the limit or not measured. Outputs show them with the reason, and
 // they neither win nor tie.
 //
-// The interval of a ratio is over the rounds of its process, or over the processes if several measured the
-// cell; by order statistics in both cases (tables/tables.hpp).
+// The interval of a ratio is over the processes if three or more measured the cell, else over the rounds of
+// its process; by order statistics in both cases (tables/tables.hpp).
 //
 // The baseline's own variation: its own cell is timed in the same rounds as the baseline, so these are two
 // measurements of one thing, and the ratio of the two is its own variation.
@@ -61,6 +61,8 @@ struct RankedCell {
     std::string dropped;  ///< why; empty: it is not
 
     [[nodiscard]] bool meets_error() const { return dropped.empty(); }
+    /// Returns true if the interval is over three or more processes.
+    [[nodiscard]] bool holds_between_processes() const { return processes >= 3; }
     [[nodiscard]] double low() const { return interval ? interval->low : ratio; }
     [[nodiscard]] double high() const { return interval ? interval->high : ratio; }
     [[nodiscard]] RatioRange range() const { return {low(), ratio, high()}; }
@@ -105,6 +107,8 @@ struct SceneRanking {
     OwnVariation own_variation;
     std::vector<RankedCell> cells;  ///< fastest first, by ratio; dropped ones too
     std::vector<RankedCell> peers;  ///< other libraries, likewise
+    /// Cells whose query loops were compiled with default flags, likewise; ratios are to such a baseline.
+    std::vector<RankedCell> default_flags;
     std::vector<std::size_t> ties;  ///< the tie set, as indices of `cells`: the winner first
     bool beats_baseline = false;    ///< the winner, by more than its interval and the own variation
     bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
@@ -130,15 +134,10 @@ struct SceneRanking {
     [[nodiscard]] const RankedCell* find(const std::string& algorithm, const std::string& table) const;
 };
 
-/// The repetitions that the intervals of a ranking are over.
-enum class Variation {
-    rounds,     ///< of one process: every stored cell is ranked
-    processes,  ///< stored cells of one algorithm and table type are one cell, measured in several processes
-};
-
-/// Ranks cells and peers of one scene and shape, one at least.
+/// Ranks cells and peers of one scene and shape, one at least. Stored cells of one algorithm and table type
+/// are one cell, measured in several processes.
 [[nodiscard]] SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_limit,
-                                      const Baseline& baseline, Variation variation = Variation::rounds);
+                                      const Baseline& baseline);
 
 /// A layout is small for an algorithm if the table that it builds takes at most this: a quarter of the 168
 /// bytes per edge that the paper counts.

@@ -30,14 +30,15 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(lines_of(outcome.out).size(), 1u);
     const json summary = json::parse(outcome.out);
-    // quick has tumble twice; aos has three precisions; both algorithms walk it
-    EXPECT_EQ(summary["cells"], 2 * 3 * 2);
+    // quick has tumble twice; aos has three precisions; both algorithms walk it; and V-Clip of two with
+    // default flags
+    EXPECT_EQ(summary["cells"], 2 * 3 * 2 + 2);
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["unavailable"], 0);
     EXPECT_EQ(summary["store"], "reports/out/edgewise.db");
     EXPECT_EQ(summary["report"], "reports/out/index.html");
-    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 12u * 3);
+    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 14u * 3);
     for (const char* page :
          {"reports/out/index.html", "reports/out/report.md", "reports/out/results/tumble.csv"}) {
         EXPECT_GT(text_of(folder / page).size(), 500u) << page;
@@ -60,6 +61,45 @@ TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     const Outcome unknown = run(with(tiny, {"--axes", "colour=red"}), folder);
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("axis 'colour=red': unknown; known: contact_tolerance=LENGTH"));
+}
+
+/// The same queries by the same source, compiled with other flags: the same worst error, to the bit.
+TEST(Sweep, DefaultFlagsGiveTheErrorsOfTheTool) {
+    const Folder folder;
+    const Outcome outcome = run(
+        {"sweep", "--scenes", "cold,tumble,pressure", "--shapes", "cube8", "--queries", "300", "--checked",
+         "50", "--rounds", "3", "--axes", "build=default", "--no-report", "--store", "own.db"},
+        folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto pairs = rows_of(
+        folder / "own.db",
+        "select a.scene, a.algorithm, a.table_type, e.value = f.value from cell a join cell b using "
+        "(build, scene, scene_parameters, shape, algorithm, table_type) join figure e on e.hash = a.hash "
+        "join figure f on f.hash = b.hash where a.axes = '' and b.axes = 'build=default' and "
+        "b.status = 'verified' and e.name = 'worst_error_given' and f.name = e.name");
+    EXPECT_GE(pairs.size(), 4U * 5) << "at least V-Clip on aos and lean, GJK on points_soa, in five scenes";
+    for (const std::string& pair : pairs) EXPECT_TRUE(pair.ends_with("|1")) << pair;
+}
+
+/// What is near the fastest is timed by every process; a second run has nothing to do.
+TEST(Sweep, FurtherProcessesTimeTheFinalistsAgain) {
+    const Folder folder;
+    const Arguments three = with(tiny, {"--processes", "3", "--layouts", "lean"});
+    const Outcome outcome = run(three, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("process 3 of 3 times the fastest cells again"));
+    const auto cells_of = [&](const std::string& of) {
+        return rows_of(folder / "reports/out/edgewise.db",
+                       "select scene_parameters, algorithm, table_type, axes from cell where run = '" + of +
+                           "' order by 1, 2, 3, 4");
+    };
+    const auto finalists = cells_of("process 2");
+    EXPECT_GE(finalists.size(), 2U) << "the fastest of two scenes; the baseline is of another layout";
+    EXPECT_EQ(cells_of("process 3"), finalists);
+    EXPECT_LE(finalists.size(), cells_of("sweep").size());
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("hold between processes"));
+    ASSERT_EQ(run(three, folder).exit_code, 0);
+    EXPECT_EQ(cells_of("process 2"), finalists);
 }
 
 TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {

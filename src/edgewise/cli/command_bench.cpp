@@ -37,6 +37,7 @@ struct ScalingArguments {
     studies::CellChoice cell = studies::scaling_cell;
     std::vector<int> threads;
     int rounds = studies::ScalingPlan{}.rounds;
+    bool waits = false;
 };
 
 nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& options) {
@@ -72,6 +73,7 @@ void print(const studies::Scaling& scaling, const ScalingArguments& options) {
 }
 
 int run_scaling(const ScalingArguments& options, bool json) {
+    say_how_quiet(options.waits, json);
     const studies::ScalingPlan plan{
         options.cell, studies::scaling_threads(options.threads, studies::usable_cores()), options.rounds};
     Progress progress("scaling", static_cast<std::size_t>(plan.rounds));
@@ -98,6 +100,7 @@ void add_scaling(CLI::App& bench, Context& context) {
     add_count(*command, "--threads", options.threads, {0, 1'000'000, "threads"},
               "numbers of threads, such as 2,4; 1 is always measured; else 1, 2, 4, ... and all cores");
     add_rounds_option(*command, options.rounds, {1, 1000, "rounds"});
+    add_wait_option(*command, options.waits);
 }
 
 /// Only where something was counted; a model of no misses has no ratio.
@@ -140,7 +143,7 @@ void add_calibrate(CLI::App& bench, Context& context) {
 
 struct GateArguments {
     std::string file;
-    bool write = false;
+    bool write = false, waits = false;
     int rounds = 17;
     std::optional<double> slack;
     std::size_t queries = studies::CellChoice{}.queries;
@@ -230,6 +233,7 @@ int compare_with_baseline(const GateArguments& gate, bool json) {
 }
 
 int run_gate(const GateArguments& gate, bool json) {
+    say_how_quiet(gate.waits, json);
     return gate.write ? write_baseline(gate, json) : compare_with_baseline(gate, json);
 }
 
@@ -245,6 +249,7 @@ void add_gate(CLI::App& bench, Context& context) {
     add_slack_option(*command, gate.slack,
                      fmt::format(" (else the baseline's; {} where it is written)", usual_slack));
     add_layouts_option(*command, gate.layouts);
+    add_wait_option(*command, gate.waits);
 }
 
 int run_model(const ModelArguments& options, bool json) {

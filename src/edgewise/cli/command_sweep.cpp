@@ -13,6 +13,7 @@
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/parts/sweep_parts.hpp"
+#include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/store/schema.hpp"
@@ -23,6 +24,8 @@ namespace edgewise::cli {
 
 namespace {
 
+constexpr input::CountRange processes_range{1, 100, "processes"};
+
 struct SweepArguments {
     std::string plan = "quick";
     std::string store;  ///< empty: the usual one
@@ -30,8 +33,10 @@ struct SweepArguments {
     bool fom = false;
     std::vector<std::string> layouts, algorithms, peers, axes, scenes, shapes, caches, machines, probes;
     std::optional<std::size_t> queries, checked;
-    std::optional<int> rounds;
+    std::optional<int> rounds, processes;
+    int process = 1;
     std::optional<std::size_t> stability, effort;
+    bool waits = false;
     bool each_mesh = false, as_stored = false, no_report = false;
     std::optional<std::uint64_t> seed;
     const CLI::App* command = nullptr;  ///< what was typed
@@ -56,6 +61,8 @@ class RunNote {
         note_["done"] = note_["done"].get<std::size_t>() + cells;
         keep();
     }
+    /// What others took of the processor while it timed (measure::ShareOfOthers).
+    void set_others(double share) { note_["others"] = share; }
     /// All of it is done, with what follows the cells.
     void end() {
         note_["ended"] = utc_time();
@@ -79,19 +86,20 @@ class RunNote {
     nlohmann::json note_;
 };
 
-/// "sweep --plan paper --rounds 5": what was typed, except where results go; in the order of the help text.
-std::string command_line(const CLI::App& command) {
-    std::string line = command.get_name();
+/// What was typed, except where results go; in the order of the help text.
+std::vector<std::string> words_of(const CLI::App& command) {
+    std::vector<std::string> words = {command.get_name()};
     for (const CLI::Option* option : command.get_options()) {
         const std::string name = option->get_name();
         if (option->count() == 0 || name == "--store" || name == "--out" || name == "--json" ||
             name == "--fom")
             continue;
-        line += " " + name;
+        words.push_back(name);
         if (option->get_items_expected_max() == 0) continue;  // a flag
-        for (const std::string& value : option->results()) line += " " + value;
+        const std::vector<std::string> values = option->results();
+        words.insert(words.end(), values.begin(), values.end());
     }
-    return line;
+    return words;
 }
 
 /// A sweep of chosen scenes or bodies is about those: no study unless asked for.
@@ -116,15 +124,38 @@ sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& 
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
     if (options.queries) scene.queries = 0;
-    if (!options.axes.empty()) scene.plain = false;
+    if (!options.axes.empty()) scene.plain = false, scene.axes.clear();
     return scene;
 }
 
 /// Studies that only whole plans have: of scenes beside the sweep.
 void narrow_studies(const SweepArguments& options, sweep::Plan& plan) {
-    if (narrowed(options)) plan.studies.clear();
+    if (narrowed(options)) plan.studies.clear(), plan.processes = 1;
     if (options.stability) plan.studies["stability"] = *options.stability;
     if (options.effort) plan.studies["effort"] = *options.effort;
+}
+
+/// What a further process measures: times and their errors, of fewer checked answers.
+void keep_to_times(sweep::Plan& plan) {
+    constexpr std::size_t most_checked = 50;
+    plan.checked = std::min(plan.checked, most_checked);
+    plan.probes = {"time", "error"};
+    plan.peers.clear();
+    plan.studies.clear();
+    for (sweep::SceneChoice& scene : plan.scenes) scene.caches.clear();
+}
+
+/// The scenes of the plan that were asked for by name, and scenes that it does not have.
+std::vector<sweep::SceneChoice> chosen_scenes(const sweep::Plan& plan, const SweepArguments& options) {
+    std::vector<sweep::SceneChoice> kept;
+    for (const std::string& name : options.scenes) {
+        const std::size_t before = kept.size();
+        for (const sweep::SceneChoice& scene : plan.scenes) {
+            if (scene.name == name) kept.push_back(unrestricted(scene, options));
+        }
+        if (kept.size() == before) kept.push_back({name});
+    }
+    return kept;
 }
 
 /// The plan with the command line's filters over it. Naming shapes replaces the plan's bodies.
@@ -147,17 +178,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
         plan.each_mesh = options.each_mesh;
     }
     plan.as_stored = plan.as_stored || options.as_stored;
-    if (!options.scenes.empty()) {
-        std::vector<sweep::SceneChoice> kept;
-        for (const std::string& name : options.scenes) {
-            const std::size_t before = kept.size();
-            for (const sweep::SceneChoice& scene : plan.scenes) {
-                if (scene.name == name) kept.push_back(unrestricted(scene, options));
-            }
-            if (kept.size() == before) kept.push_back({name});
-        }
-        plan.scenes = kept;
-    }
+    if (!options.scenes.empty()) plan.scenes = chosen_scenes(plan, options);
     replace(plan.machines, options.machines);
     replace(plan.probes, options.probes);
     for (sweep::SceneChoice& scene : plan.scenes) replace(scene.caches, options.caches);
@@ -166,7 +187,30 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     plan.rounds = options.rounds.value_or(plan.rounds);
     narrow_studies(options, plan);
     plan.seed = options.seed.value_or(plan.seed);
+    plan.processes = options.processes.value_or(plan.processes);
+    plan.process = options.process;
+    if (plan.process > 1) keep_to_times(plan);
     return plan;
+}
+
+/// Runs the further processes of the plan, each of this program with the same options. Returns false if one
+/// of them was stopped or failed.
+bool run_processes(const SweepArguments& options, const sweep::Plan& plan, const std::string& store) {
+    for (int process = 2; process <= plan.processes; ++process) {
+        fmt::print(stderr, "sweep: process {} of {} times the fastest cells again\n", process,
+                   plan.processes);
+        std::vector<std::string> command = words_of(*options.command);
+        std::erase(command, "--no-report");
+        command.insert(command.begin(), std::filesystem::read_symlink("/proc/self/exe").string());
+        command.insert(command.end(),
+                       {"--no-report", "--store", store, "--process", std::to_string(process)});
+        const auto run = measure::run_program(command);
+        if (run.value && run.value->exit_code == exit_done) continue;
+        warn(fmt::format("process {} did not come to its end: {}", process,
+                         run.value ? run.value->err : run.reason));
+        return false;
+    }
+    return true;
 }
 
 /// `report`: of what was written of the store; its page is empty where nothing was.
@@ -254,13 +298,16 @@ int run_sweep(const SweepArguments& options, bool json) {
         options.costs.empty() ? std::map<std::string, double>() : sweep::seconds_in(options.costs);
     sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
     sweep::keep_shard(work, shard, seconds);
+    if (options.process > 1) sweep::keep_finalists(work, path);
     make_folders(options, shard, path);
+    if (options.process == 1) say_how_quiet(options.waits, json);
     PartsSummary outcome;
     {
         store::Store store(path);
         if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
-        RunNote note(store, command_line(*options.command), work.cells());
+        RunNote note(store, fmt::format("{}", fmt::join(words_of(*options.command), " ")), work.cells());
         outcome = run_parts(work, store, [&](std::size_t cells) { note.add_done(cells); });
+        note.set_others(outcome.sweep.others);
         if (!outcome.stopped) {
             note.end();
             if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());
@@ -270,11 +317,23 @@ int run_sweep(const SweepArguments& options, bool json) {
         warn(fmt::format("stopped; what was measured is in {}, and the same command resumes there", path));
         return exit_check_failed;
     }
+    if (!outcome.stopped && shard.is_whole() && options.process == 1)
+        outcome.stopped = !run_processes(options, work.plan, path);
     const int code = finish_sweep(options, outcome, shard, path, json);
     if (!outcome.stopped) return code;
     warn(fmt::format("stopped: {} of {} cells are there; the same command goes on from them",
                      outcome.sweep.cells, work.cells()));
     return exit_check_failed;
+}
+
+void add_timing_options(CLI::App& command, SweepArguments& options) {
+    add_rounds_option(command, options.rounds, input::rounds_range);
+    add_count(command, "--processes", options.processes, processes_range,
+              "processes that time the fastest cells, one after the other");
+    add_count(command, "--process", options.process, processes_range,
+              "which of them this one is: from 2 on it times the fastest cells of the store again; the sweep "
+              "starts these itself");
+    add_wait_option(command, options.waits);
 }
 
 }  // namespace
@@ -305,7 +364,7 @@ void add_sweep(CLI::App& app, Context& context) {
                       "one body for each mesh of a file, not one for the file");
     add_queries_option(*command, options.queries);
     add_checked_option(*command, options.checked);
-    add_rounds_option(*command, options.rounds, input::rounds_range);
+    add_timing_options(*command, options);
     add_count(*command, "--stability", options.stability, input::cases_or_none,
               "hard cases per family; 0: no stability run");
     add_count(*command, "--effort", options.effort, input::queries_or_none,

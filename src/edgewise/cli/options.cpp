@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "edgewise/cli/command.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
+#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/reports/compare/comparison.hpp"
 #include "edgewise/scene/recording.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -84,6 +87,26 @@ CLI::Option* add_algorithm_option(CLI::App& command, std::string& algorithm) {
 
 CLI::Option* add_algorithms_option(CLI::App& command, std::vector<std::string>& algorithms) {
     return add_names(command, "--algorithms", algorithms, "only these algorithms");
+}
+
+CLI::Option* add_wait_option(CLI::App& command, bool& waits) {
+    return command.add_flag("--wait", waits, "wait up to a minute for a busy machine to become quiet");
+}
+
+void say_how_quiet(bool waits, bool json) {
+    constexpr double longest_wait = 60;
+    const measure::Stopwatch watch;
+    measure::Quietness now = measure::look_at_quietness();
+    while (waits && !now.is_quiet() && watch.elapsed_ns() < 1e9 * longest_wait && !stop_on_signals()) {
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+        now = measure::look_at_quietness();
+    }
+    if (json) return;
+    fmt::print(stderr, "machine: others take {:.0f} % of this processor, fixed work varies by {:.0f} %: {}\n",
+               100 * now.others, 100 * now.scatter,
+               now.is_quiet() ? "quiet"
+               : waits        ? "busy, also after a minute; times will scatter"
+                              : "busy; times will scatter; end other work, or use --wait");
 }
 
 CLI::Option* add_peers_option(CLI::App& command, std::vector<std::string>& peers) {

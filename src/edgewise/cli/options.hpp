@@ -96,6 +96,12 @@ CLI::Option* add_slack_option(CLI::App& command, To& slack, const std::string& u
                       "a time may become longer by this part of itself" + usual);
 }
 
+/// --wait, for say_how_quiet.
+CLI::Option* add_wait_option(CLI::App& command, bool& waits);
+/// Says in one line on stderr how quiet the machine is before something is timed. If it is busy and `waits`,
+/// waits up to a minute for it to become quiet. With `json` it says nothing.
+void say_how_quiet(bool waits, bool json);
+
 /// An option of several names, which commas may separate as well as blanks.
 CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& to, const char* what);
 

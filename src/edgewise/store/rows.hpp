@@ -28,6 +28,8 @@ struct BuildRow {
 
 /// The `run` of a sweep's rows; those of a study have the study's name.
 inline constexpr const char* sweep_run = "sweep";
+/// The `run` of cells that a further process of a sweep timed again begins so: "process 2".
+inline constexpr std::string_view process_run = "process ";
 
 /// Cells of another library, and of raw V-Clip, are judged: their errors are counted and fail nothing.
 enum class CellStatus { unavailable, verified, failed, judged };

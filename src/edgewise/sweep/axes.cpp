@@ -29,7 +29,7 @@ double read_tolerance(std::string_view entry, std::string_view value, double bel
 constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_values = "shared|per_instance",
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
                            sub_distance_values = "cofactors|johnson", hardening_values = "on|off",
-                           start_values = "kept|cold",
+                           start_values = "kept|cold", build_values = "tool|default",
                            needs_values = "nearer|verdict|distance|witnesses|features|depth|certificate";
 
 /// A number above 0.
@@ -51,6 +51,14 @@ Value known(std::string_view entry, const std::optional<Value>& value, std::stri
     return *value;
 }
 
+/// Returns true for the second of two values, "no|yes"; the first is the plain cell's.
+bool is_second(std::string_view entry, std::string_view value, std::string_view values) {
+    const std::size_t bar = values.find('|');
+    if (value != values.substr(0, bar) && value != values.substr(bar + 1))
+        refuse(entry, fmt::format("wants {}", values));
+    return value == values.substr(bar + 1);
+}
+
 void take(Axes& axes, std::string_view entry) {
     const std::size_t equals = entry.find('=');
     const std::string_view name = entry.substr(0, equals);
@@ -66,16 +74,15 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "allocator") {
         axes.tables.allocator = known(entry, bench::allocator_from(value), allocator_values);
     } else if (name == "batch") {
-        if (value != "no" && value != "yes") refuse(entry, fmt::format("wants {}", batch_values));
-        axes.batch = value == "yes";
+        axes.batch = is_second(entry, value, batch_values);
     } else if (name == "start") {
-        if (value != "kept" && value != "cold") refuse(entry, fmt::format("wants {}", start_values));
-        axes.starts_cold = value == "cold";
+        axes.starts_cold = is_second(entry, value, start_values);
+    } else if (name == "build") {
+        axes.default_build = is_second(entry, value, build_values);
     } else if (name == "sub_distance") {
         axes.query.sub_distance = known(entry, sub_distance_solver_from(value), sub_distance_values);
     } else if (name == "hardening") {
-        if (value != "on" && value != "off") refuse(entry, fmt::format("wants {}", hardening_values));
-        axes.query.hardened = value == "on";
+        axes.query.hardened = !is_second(entry, value, hardening_values);
     } else if (name == "needs") {
         axes.set_needs(known(entry, needs_from(value), needs_values));
     } else if (name == "margin") {
@@ -100,6 +107,14 @@ void check_margin(const Axes& axes, std::string_view text) {
     if (nearer && axes.batch) refuse(text, "needs=nearer asks one pair at a time: leave batch out");
 }
 
+/// Refuses an axis that such a loop does not know, because it was compiled alone.
+void check_default_build(const Axes& axes, std::string_view text) {
+    Axes others = axes;
+    others.default_build = others.starts_cold = false;
+    if (axes.default_build && !others.text().empty())
+        refuse(text, fmt::format("build=default goes with start alone: leave {} out", others.text()));
+}
+
 }  // namespace
 
 const std::vector<AxisInfo>& axes_known() {
@@ -113,6 +128,9 @@ const std::vector<AxisInfo>& axes_known() {
          "pairs in a row that differ are asked together, GJK's of small bodies side by side"},
         {"start", start_values,
          "a pair's queries start from its last answer, or each as if it were the first"},
+        {"build", build_values,
+         "default: query loops compiled with -O2 and no flag for a processor, as applications compile "
+         "them; those of plan quick's contenders alone"},
         {"sub_distance", sub_distance_values,
          "how GJK solves its simplices: all cofactors at once, or Johnson's search; a batch's then one by one"},
         {"hardening", hardening_values,
@@ -136,6 +154,7 @@ std::string Axes::text() const {
         parts.push_back(fmt::format("allocator={}", to_string(tables.allocator)));
     if (batch) parts.emplace_back("batch=yes");
     if (starts_cold) parts.emplace_back("start=cold");
+    if (default_build) parts.emplace_back("build=default");
     if (query.sub_distance != SubDistanceSolver::cofactors)
         parts.push_back(fmt::format("sub_distance={}", to_string(query.sub_distance)));
     if (!query.hardened) parts.emplace_back("hardening=off");
@@ -147,7 +166,7 @@ std::string Axes::text() const {
 bool Axes::concerns(std::string_view algorithm) const {
     const bool of_gjk = query.gap_tolerance != 0 || query.sub_distance != SubDistanceSolver::cofactors;
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           batch || starts_cold || (of_gjk && algorithm == "gjk") ||
+           batch || starts_cold || default_build || (of_gjk && algorithm == "gjk") ||
            (!query.hardened && algorithm == "vclip");
 }
 
@@ -164,6 +183,7 @@ Axes parse_axes(std::string_view text) {
         text.remove_prefix(end == text.npos ? text.size() : end + 1);
     }
     check_margin(axes, whole);
+    check_default_build(axes, whole);
     return axes;
 }
 

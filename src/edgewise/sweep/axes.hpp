@@ -15,7 +15,8 @@
 namespace edgewise::sweep {
 
 struct Axes : bench::RunnerOptions {
-    bool starts_cold = false;  ///< no query uses the last answer of its pair
+    bool starts_cold = false;    ///< no query uses the last answer of its pair
+    bool default_build = false;  ///< the query loop as applications compile it (bench::has_default_build)
 
     /// Returns the settings that differ from the plain cell, in a fixed order; empty for the plain cell.
     /// needs=nearer always has its margin in the text, because all its figures depend on the margin.

@@ -79,6 +79,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
 /// Returns the plan with the members of the JSON replaced. Throws std::exception if the JSON is not a plan.
 Plan read_plan(const nlohmann::json& json, Plan plan) {
     nlohmann::json scenes;
+    plan.processes = 1;
     Members members(json);
     members.take("scenes", scenes)
         .take("shapes", plan.shapes)
@@ -93,6 +94,7 @@ Plan read_plan(const nlohmann::json& json, Plan plan) {
         .count("queries", plan.queries, input::queries_range)
         .count("checked", plan.checked, input::queries_range)
         .count("rounds", plan.rounds, input::rounds_range)
+        .count("processes", plan.processes, input::CountRange{1, 100, "processes"})
         .count("traced", plan.traced, input::queries_or_none)
         .count("traced_steps", plan.traced_steps, input::steps_or_none)
         .take("machines", plan.machines)

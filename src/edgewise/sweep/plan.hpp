@@ -52,6 +52,8 @@ struct Plan {
     std::size_t checked = 0;            ///< queries per cell that are checked with exact arithmetic
     bool control = false;               ///< checked queries also ask the paper's control, Moore and Wilhelms
     int rounds = 0;                     ///< timed, interleaved
+    int processes = 1;                  ///< that time the fastest cells, one after the other
+    int process = 1;                    ///< which of them this is; not a member of plans
     std::size_t traced = 0;             ///< queries per cell that the cache model traces; 0: all
     std::size_t traced_steps = 0;       ///< least number of whole steps traced in a scene in time order
     std::vector<std::string> machines;  ///< machines with modelled caches; as for choose_machines
@@ -79,7 +81,8 @@ struct PlanText {
 [[nodiscard]] std::vector<std::string> plan_names();
 
 /// Returns a named plan, for the layouts of this program, or reads a JSON file with the members of Plan;
-/// missing members are as in `quick`. Throws std::invalid_argument: what, where, what to do.
+/// missing members are as in `quick`, except `processes`, which is 1. Throws std::invalid_argument: what,
+/// where, what to do.
 [[nodiscard]] Plan make_plan(const std::string& name_or_file);
 /// Returns the plan of a file's text. Throws like make_plan.
 [[nodiscard]] Plan parse_plan(const std::string& file, const std::string& text);

@@ -10,6 +10,7 @@
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -168,7 +169,11 @@ measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span
 
 PreparedCell::PreparedCell(const bench::TableType& type, const std::string& algorithm,
                            const bench::RunnerOptions& options)
-    : type_(&type), options_(options), runner_(type.make_runner(algorithm)) {
+    : PreparedCell(type, type.make_runner(algorithm), options) {}
+
+PreparedCell::PreparedCell(const bench::TableType& type, std::unique_ptr<bench::Runner> runner,
+                           const bench::RunnerOptions& options)
+    : type_(&type), options_(options), runner_(std::move(runner)) {
     runner_->configure(options);
 }
 
@@ -251,7 +256,11 @@ bool shows_heat(const bench::TableType& type, std::int64_t vertices) {
 
 CellRun::CellRun(const bench::TableType& type, const std::string& algorithm, const Axes& axes,
                  store::CellRow row, const Polyhedron& body)
-    : cell_(type, algorithm, axes), axes_(axes), row_(std::move(row)) {
+    : cell_(type,
+            axes.default_build ? bench::make_default_build(type, algorithm) : type.make_runner(algorithm),
+            axes),
+      axes_(axes),
+      row_(std::move(row)) {
     row_.axes = axes.text();
     row_.algorithm = algorithm;
     row_.layout = type.layout;
@@ -301,7 +310,7 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
                                  .caches = caches_};
     for (const bench::Probe& probe : bench::registered_probes()) {
         if (probe.beside_others != (stage == Stage::beside_others)) continue;
-        if (cell_.type().is_peer && !probe.of_peers) continue;
+        if ((cell_.type().is_peer || axes_.default_build) && !probe.of_peers) continue;
         if (!only_.empty() && std::ranges::find(only_, probe.name) == only_.end()) continue;
         bench::Findings found = probe.measure(cell);
         if (found.passed) hold_against_answers(*found.passed, probe.name);

@@ -81,6 +81,8 @@ class PreparedCell {
   public:
     PreparedCell(const bench::TableType& type, const std::string& algorithm,
                  const bench::RunnerOptions& options = {});
+    PreparedCell(const bench::TableType& type, std::unique_ptr<bench::Runner> runner,
+                 const bench::RunnerOptions& options);
 
     /// Builds the tables. Returns an error line if a body cannot be stored. The workload must outlive this.
     [[nodiscard]] std::string load(const scene::Workload& workload);

@@ -10,6 +10,7 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
+#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
@@ -96,7 +97,8 @@ StoredRound time_round(const Plan& plan, int number, const std::vector<const Cel
 /// the baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the
 /// next.
 void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
-                 StoredCells& stored, const std::atomic<bool>& stop, const std::function<void()>& on_round) {
+                 StoredCells& stored, measure::ShareOfOthers& others, const std::atomic<bool>& stop,
+                 const std::function<void()>& on_round) {
     const double clock_cost_ns = measure::calibrate();
     std::vector<std::set<int>> missing;
     for (const CellRun& cell : cells) missing.push_back(stored.rounds_missing(cell));
@@ -105,7 +107,12 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (cells[i].is_timed() && missing[i].contains(round)) lacking.push_back(&cells[i]);
         }
-        if (!lacking.empty()) stored.put(time_round(plan, round, lacking, baseline, clock_cost_ns));
+        if (!lacking.empty()) {
+            others.begin();
+            const StoredRound timed = time_round(plan, round, lacking, baseline, clock_cost_ns);
+            others.end();
+            stored.put(timed);
+        }
         on_round();
     }
 }
@@ -134,6 +141,7 @@ class Sweep {
             }
         }
         summary_.stopped = stop_;
+        summary_.others = others_.share();
         return summary_;
     }
 
@@ -225,7 +233,7 @@ class Sweep {
             listener_.on_warning(fmt::format(
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
                 scene.choice.name, shape.name, to_string(baseline.row().status), baseline.row().reason));
-        time_rounds(work_.plan, cells, baseline, stored_, stop_, [&] {
+        time_rounds(work_.plan, cells, baseline, stored_, others_, stop_, [&] {
             advance(expected, Step::rounds, static_cast<std::size_t>(work_.plan.rounds), what);
         });
         if (stop_) return;
@@ -252,6 +260,7 @@ class Sweep {
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
     SweepSummary summary_;
+    measure::ShareOfOthers others_;
     measure::Stopwatch lap_;  ///< since the last part of a step was done
 };
 
@@ -269,6 +278,7 @@ store::CellRow row_of(const Plan& plan, const SceneWork& scene, const scene::Nam
     row.faces = shape.body.face_count();
     row.seed = plan.seed;
     row.queries = scene.queries;
+    row.run = run_of(plan);
     return row;
 }
 

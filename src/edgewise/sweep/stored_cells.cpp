@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/store/merge.hpp"
 #include "edgewise/store/schema.hpp"
@@ -41,12 +42,51 @@ std::optional<store::CellStatus> StoredCells::status_of(const CellRun& cell) con
     return row->status;
 }
 
+std::string run_of(const Plan& plan) {
+    return plan.process == 1 ? store::sweep_run : fmt::format("{}{}", store::process_run, plan.process);
+}
+
 std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
     const auto done = store_.rounds_done(build_, cell.row().hash);
     std::set<int> missing;
     for (int round = 0; round < rounds_; ++round)
         if (!done.contains(round)) missing.insert(round);
     return missing;
+}
+
+namespace {
+
+constexpr double slowest_finalist = 1.25;
+
+/// Adds the finalists of one body.
+void add_finalists(const std::vector<store::StoredCell>& cells, const store::CellRow& of,
+                   std::set<std::string>& pairs) {
+    std::vector<std::pair<const store::StoredCell*, double>> times;
+    std::map<std::string, double> fastest;  // by precision
+    for (const store::StoredCell& cell : cells) {
+        const auto ns = cell.figure(store::all_time.ns).value;
+        if (!ns || cell.run != store::sweep_run || !cell.axes.empty() || cell.scene != of.scene ||
+            cell.scene_parameters != of.scene_parameters || cell.shape != of.shape)
+            continue;
+        times.emplace_back(&cell, *ns);
+        double& least = fastest.try_emplace(cell.precision, *ns).first->second;
+        least = std::min(least, *ns);
+    }
+    for (const auto& [cell, ns] : times)
+        if (ns <= slowest_finalist * fastest[cell->precision])
+            pairs.insert(cell->algorithm + " " + cell->table);
+}
+
+}  // namespace
+
+void keep_finalists(SweepWork& work, const std::string& path) {
+    const store::StoredBuild stored = store::read_build(path, bench::this_build().id);
+    for (SceneWork& scene : work.scenes) {
+        std::set<std::string> pairs = {"vclip aos_f64"};
+        for (const scene::NamedShape* shape : scene.shapes)
+            add_finalists(stored.cells, row_of(work.plan, scene, *shape), pairs);
+        scene.choice.pairs.assign(pairs.begin(), pairs.end());
+    }
 }
 
 std::optional<double> took_in(const store::Store& store, const std::string& what) {
@@ -72,7 +112,7 @@ void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
 }
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {
-    store_.set_meta(store::took_key + of, fmt::format("{:.3f}", seconds));
+    store_.set_meta(store::took_key + name_of_time(of), fmt::format("{:.3f}", seconds));
 }
 
 bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {

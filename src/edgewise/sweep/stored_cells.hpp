@@ -14,6 +14,7 @@
 #include "edgewise/store/store.hpp"
 #include "edgewise/sweep/plan.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::sweep {
 
@@ -23,10 +24,22 @@ namespace edgewise::sweep {
 /// Returns the seconds of everything that ran into the store at this path, by name.
 [[nodiscard]] std::map<std::string, double> seconds_in(const std::string& store);
 
+/// The `run` of the plan's cells in this process.
+[[nodiscard]] std::string run_of(const Plan& plan);
+
+/// Keeps, of each scene, the baseline and the algorithms on table types that take at most 1.25 times the time
+/// of the fastest in their precision on any of the scene's bodies, by what this build stored in the first
+/// process.
+void keep_finalists(SweepWork& work, const std::string& store);
+
 class StoredCells {
   public:
     StoredCells(store::Store& store, std::string build, const Plan& plan)
-        : store_(store), build_(std::move(build)), rounds_(plan.rounds), checked_(plan.checked) {}
+        : store_(store),
+          build_(std::move(build)),
+          rounds_(plan.rounds),
+          checked_(plan.checked),
+          run_(run_of(plan)) {}
 
     /// Returns the status of a cell if the store has all its results: figures, rounds, and the checked
     /// answers and modelled caches that this plan orders. Otherwise nothing.
@@ -39,7 +52,7 @@ class StoredCells {
     }
 
     [[nodiscard]] std::optional<double> took(const std::string& group) const {
-        return took_in(store_, group);
+        return took_in(store_, name_of_time(group));
     }
 
     void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
@@ -55,10 +68,16 @@ class StoredCells {
     [[nodiscard]] bool lacks_checks(const store::CellRow& row,
                                     std::span<const store::FigureRow> stored) const;
 
+    /// Times of a further process are not those of the sweep.
+    [[nodiscard]] std::string name_of_time(const std::string& of) const {
+        return run_ == store::sweep_run ? of : run_ + " " + of;
+    }
+
     store::Store& store_;
     std::string build_;
     int rounds_;
     std::size_t checked_;
+    std::string run_;
 };
 
 }  // namespace edgewise::sweep

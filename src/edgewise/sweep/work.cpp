@@ -200,7 +200,10 @@ void SweepWork::each_cell(const SceneWork& scene,
                                               allows(scene.choice.pairs, algorithm + " " + type->layout)))
                 continue;
             for (std::size_t i = 0; i < scene.axes.size(); ++i) {
-                if (i == 0 || scene.axes[i].concerns(algorithm)) use(*type, algorithm, scene.axes[i]);
+                const Axes& axes = scene.axes[i];
+                if (i > 0 && !axes.concerns(algorithm)) continue;
+                if (axes.default_build && !bench::has_default_build(*type, algorithm)) continue;
+                use(*type, algorithm, axes);
             }
         }
     }

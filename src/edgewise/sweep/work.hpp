@@ -92,6 +92,7 @@ struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
     std::size_t judged = 0;  ///< cells of other libraries, and of raw V-Clip
     bool stopped = false;    ///< ended early; stored results are kept
+    double others = 0;       ///< while it timed: what others took of the processor (measure::ShareOfOthers)
 };
 
 /// Functions that a sweep calls while it runs.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The stopwatch. No test asserts how long an operation takes. Tests compare the stopwatch with another clock,
-// and check the order and sign of its readings.
+// and check the order and sign of its readings. What others take of the processor is the time that a thread
+// does not run.
 #include "edgewise/measure/stopwatch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <thread>
+
+#include "edgewise/measure/machine/quietness.hpp"
 
 namespace edgewise::measure {
 namespace {
@@ -58,6 +61,26 @@ TEST(Stopwatch, CalibrationIsAReadingAndNotNegative) {
         EXPECT_LE(cost, all.elapsed_ns());  // the cost of one pair of readings, not of them all
     }
     std::printf("an empty start and stop: %g ns\n", calibrate());
+}
+
+TEST(ShareOfOthers, IsThePartOfTheTimeInWhichTheThreadDoesNotRun) {
+    ShareOfOthers others;
+    EXPECT_EQ(others.share(), 0);
+    others.begin();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    others.end();
+    EXPECT_GT(others.share(), 0.5) << "a thread that sleeps takes microseconds of 50 ms";
+}
+
+TEST(Quietness, IsOfThisMachine) {
+    const Quietness now = look_at_quietness();
+    EXPECT_GE(now.others, 0);
+    EXPECT_LE(now.others, 1);
+    EXPECT_GE(now.scatter, 0);
+    EXPECT_FALSE((Quietness{.others = 0.5, .scatter = 0}.is_quiet()));
+    EXPECT_FALSE((Quietness{.others = 0, .scatter = 0.3}.is_quiet()));
+    EXPECT_TRUE((Quietness{.others = 0.001, .scatter = 0.01}.is_quiet()));
+    std::printf("others take %g, fixed work varies by %g\n", now.others, now.scatter);
 }
 
 }  // namespace

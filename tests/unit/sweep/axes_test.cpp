@@ -34,12 +34,27 @@ std::string error_of(const char* text) {
 }
 
 TEST(Axes, ReadBackAsTheyAreWritten) {
-    for (const char* text :
-         {"", "contact_tolerance=0.001", "gap_tolerance=1e-06", "contact_tolerance=1e+20+gap_tolerance=0.01",
-          "order=bfs", "order=spatial", "order=rcm", "sharing=per_instance", "sharing=shared",
-          "allocator=jemalloc", "batch=yes", "start=cold", "sub_distance=johnson", "hardening=off",
-          "needs=verdict", "needs=certificate", "needs=nearer+margin=0.1", "needs=nearer+margin=0.02",
-          "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
+    for (const char* text : {"",
+                             "contact_tolerance=0.001",
+                             "gap_tolerance=1e-06",
+                             "contact_tolerance=1e+20+gap_tolerance=0.01",
+                             "order=bfs",
+                             "order=spatial",
+                             "order=rcm",
+                             "sharing=per_instance",
+                             "sharing=shared",
+                             "allocator=jemalloc",
+                             "batch=yes",
+                             "start=cold",
+                             "build=default",
+                             "sub_distance=johnson",
+                             "hardening=off",
+                             "needs=verdict",
+                             "needs=certificate",
+                             "needs=nearer+margin=0.1",
+                             "needs=nearer+margin=0.02",
+                             "start=cold+build=default",
+                             "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
     }
     EXPECT_EQ(parse_axes("gap_tolerance=0.010+contact_tolerance=1").text(),
@@ -66,6 +81,7 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_TRUE(parse_axes("order=bfs").concerns("vclip"));
     EXPECT_TRUE(parse_axes("batch=yes").concerns("vclip"));
     EXPECT_TRUE(parse_axes("start=cold").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("build=default").concerns("vclip"));
     EXPECT_TRUE(parse_axes("hardening=off").concerns("vclip"));
     EXPECT_FALSE(parse_axes("hardening=off").concerns("gjk"));
     EXPECT_EQ(parse_axes("hardening=on").text(), "");
@@ -85,6 +101,8 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("needs=nearer+batch=yes").find("leave batch out"), std::string::npos);
     EXPECT_NE(error_of("batch=maybe").find("no|yes"), std::string::npos);
     EXPECT_NE(error_of("start=warm").find("kept|cold"), std::string::npos);
+    EXPECT_NE(error_of("build=fast").find("tool|default"), std::string::npos);
+    EXPECT_NE(error_of("build=default+batch=yes").find("leave batch=yes out"), std::string::npos);
     EXPECT_NE(error_of("sub_distance=volumes").find("wants cofactors|johnson"), std::string::npos);
     EXPECT_NE(error_of("needs=verdict+margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);

@@ -276,6 +276,8 @@ TEST_F(PlanFile, OverridesWhatItNamesAndKeepsTheRestOfQuick) {
     EXPECT_EQ(plan.queries, 50U);
     EXPECT_EQ(plan.checked, 5U);
     EXPECT_EQ(plan.rounds, 9);
+    EXPECT_EQ(quick.processes, 3);
+    EXPECT_EQ(plan.processes, 1) << "the one member that is not as in quick";
 }
 
 TEST_F(PlanFile, BadOnesAreOneClearLine) {

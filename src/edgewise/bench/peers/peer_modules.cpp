@@ -83,10 +83,25 @@ Distance distance_of(const peers::PeerAnswer& answer, const Pose& pose_a) {
     return result;
 }
 
+std::filesystem::path folder_of_program() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+std::filesystem::path default_build_file(const TableType& type, std::string_view algorithm) {
+    return folder_of_program() / "default_builds" /
+           fmt::format("{}_{}{}", algorithm, type.name, module_ending);
+}
+
 }  // namespace
 
-std::filesystem::path peers_folder() {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / peers_folder_name();
+std::filesystem::path peers_folder() { return folder_of_program() / peers_folder_name(); }
+
+bool has_default_build(const TableType& type, std::string_view algorithm) {
+    return std::filesystem::exists(default_build_file(type, algorithm));
+}
+
+std::unique_ptr<Runner> make_default_build(const TableType& type, std::string_view algorithm) {
+    return std::make_unique<PeerRunner>(*open_module(default_build_file(type, algorithm)));
 }
 
 std::span<const peers::PeerInfo* const> peers_found() {

@@ -35,6 +35,12 @@ namespace edgewise::bench {
 /// Folder of the modules, next to the program (peers_folder_name).
 [[nodiscard]] std::filesystem::path peers_folder();
 
+/// Returns true if this query loop was also compiled as applications compile it: -O2, no flag for a
+/// processor. Such modules are in the folder `default_builds` next to the program.
+[[nodiscard]] bool has_default_build(const TableType& type, std::string_view algorithm);
+/// A runner of that loop; it must have one.
+[[nodiscard]] std::unique_ptr<Runner> make_default_build(const TableType& type, std::string_view algorithm);
+
 /// Runs the queries of a workload by a peer.
 class PeerRunner final : public Runner {
   public:

@@ -166,7 +166,7 @@ struct AdviseArguments {
     std::optional<Needs> needs;
     std::optional<std::size_t> bodies, vertices;
     std::optional<double> turn;
-    bool own = false, shared = false, as_stored = false;
+    bool own = false, shared = false, as_stored = false, waits = false;
     double error = 1e-6, seconds = 45;
     std::uint64_t seed = 1;
 };
@@ -312,6 +312,7 @@ int run_advise(const AdviseArguments& options, bool json) {
     advice.machines = options.machines;
     static_cast<void>(
         measure::choose_machines(options.machines));  // refuses unknown ones before anything runs
+    say_how_quiet(options.waits, json);
     Measuring(advice, options.seconds, [json](const std::string& line) {
         if (!json) fmt::print(stderr, "{}\n", line);
     }).run();
@@ -346,6 +347,7 @@ void add_advise(CLI::App& app, Context& context) {
     add_needs_option(
         *command, [&needs = options.needs](Needs asked) { needs = asked; }, usual_needs);
     add_machines_option(*command, options.machines);
+    add_wait_option(*command, options.waits);
     add_number(*command, "--time", options.seconds, {5, 3600, "seconds"}, "seconds that it may take");
     add_store_option(*command, options.store, "the answer is read there, and nothing is measured");
     add_seed_option(*command, options.seed);

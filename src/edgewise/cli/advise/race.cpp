@@ -248,8 +248,7 @@ class Running {
         race_.answer.question.error_limit = asked_.error_limit;
         if (cells.empty()) return;
         race_.answer.baseline = reports::baseline_of(race_.stores.front());
-        reports::SceneRanking scene = reports::rank_scene(cells, asked_.error_limit, race_.answer.baseline,
-                                                          reports::Variation::processes);
+        reports::SceneRanking scene = reports::rank_scene(cells, asked_.error_limit, race_.answer.baseline);
         if (scene.cells.empty()) return;
         scene.label = asked_.scene.name;
         race_.answer.shape = scene.shape, race_.answer.vertices = scene.vertices;

@@ -330,7 +330,7 @@ void add_processes(ReportData& data, const std::string& layout, const std::vecto
 }
 
 SceneRanking ranking_of(const ReportData& data, double limit = 1e-6) {
-    return rank_scene(data.swept(), limit, {}, Variation::processes);
+    return rank_scene(data.swept(), limit, {});
 }
 
 TEST(Ranking, HasMedianAndIntervalBetweenProcesses) {
@@ -344,7 +344,13 @@ TEST(Ranking, HasMedianAndIntervalBetweenProcesses) {
     EXPECT_EQ(one.ratio, 0.6);
     EXPECT_EQ(one.high(), 0.7);
     EXPECT_DOUBLE_EQ(one.ns, 60);
-    EXPECT_EQ(rank_scene(data.swept(), 1, {}, Variation::rounds).cells.size(), 3U) << "each stored cell";
+    EXPECT_TRUE(one.holds_between_processes());
+}
+
+TEST(Ranking, HasNoIntervalOfTwoProcesses) {
+    ReportData data;
+    add_processes(data, "lean", {0.5, 0.7});
+    EXPECT_FALSE(ranking_of(data).cells.front().interval);
 }
 
 TEST(Ranking, HasTheIntervalOfItsRoundsWhereThereIsOneProcess) {
