@@ -201,6 +201,12 @@ std::string ratio_text(const RankedCell& cell) {
     return fmt::format("{:.2f} [{:.2f}, {:.2f}]", cell.ratio, cell.low(), cell.high());
 }
 
+std::string scene_bytes_text(const RankedCell& cell) {
+    if (!cell.scene_bytes || !cell.tables) return "bytes not measured";
+    return fmt::format("{} in {}", size_text(*cell.scene_bytes),
+                       plural(static_cast<std::size_t>(*cell.tables), "table"));
+}
+
 std::string size_text(double bytes) {
     if (bytes >= mebibyte) return number_text(std::round(bytes / mebibyte * 10) / 10) + " MiB";
     if (bytes >= kibibyte) return number_text(std::round(bytes / kibibyte * 10) / 10) + " KiB";

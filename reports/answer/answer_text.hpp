@@ -45,6 +45,8 @@ struct AnswerText {
 /// Returns the tie set of a scene, the winner first, as every output: "alone: V-Clip on lean_f32 0.72 [0.70,
 /// 0.74]", "2 tie: A 0.72 [0.70, 0.74]; B 0.75 [0.73, 0.77]", or that nothing is within the error.
 [[nodiscard]] std::string tie_set_text(const SceneRanking& scene);
+/// Returns the bytes of all tables of the cell's scene, "5.8 MiB in 200 tables".
+[[nodiscard]] std::string scene_bytes_text(const RankedCell& cell);
 /// Returns "5.8 MiB".
 [[nodiscard]] std::string size_text(double bytes);
 /// Returns the processor's name, or says that the store does not name it.

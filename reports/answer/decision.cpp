@@ -92,7 +92,9 @@ std::vector<std::string> why_nothing_is_taken(const std::vector<SceneRanking>& s
     return {fmt::format("too few cells ({}); measure more with: {}", why, command), contest_rule()};
 }
 
+/// A recording has several shapes, whose tables differ: all of them together.
 std::string bytes_fact(const RankedCell& cell) {
+    if (scene_kind(*cell.cell) == "recorded") return scene_bytes_text(cell);
     return fmt::format("{} per table, {} bytes per edge",
                        cell.table_bytes ? size_text(*cell.table_bytes) : "bytes not measured",
                        cell.bytes_per_edge ? number_text(*cell.bytes_per_edge, "B/edge") : "?");

@@ -65,16 +65,11 @@ AdviceJson dropped_json(const Advice& advice, const AdviceJson& raced) {
 using reports::RankedCell, reports::wrapped, reports::widest_line;
 using studies::advise::CacheCost, studies::advise::DroppedFor;
 
-/// Of all tables of the case where it is known how many there are, else of one.
+/// Of all tables of the case; per edge too where these are of one body.
 std::string table_bytes_text(const studies::advise::CaseAsked& asked, const RankedCell& cell) {
-    if (!cell.bytes_per_edge || !cell.table_bytes) return "bytes not measured";
-    const double tables =
-        !can_share(asked) || !asked.own_tables
-            ? 1
-            : scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw().at("bodies");
-    return fmt::format("{:.1f} bytes per edge, {} {}", *cell.bytes_per_edge,
-                       reports::size_text(tables * *cell.table_bytes),
-                       can_share(asked) ? "in all" : "per table");
+    const std::string all = reports::scene_bytes_text(cell);
+    if (!cell.bytes_per_edge || !asked.recording.empty()) return all;
+    return fmt::format("{:.1f} bytes per edge, {}", *cell.bytes_per_edge, all);
 }
 
 /// A label in a column of its own, and the rest folded next to it.

@@ -122,7 +122,7 @@ std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& ask
     option("--checked", std::to_string(sweep.checked));
     option("--rounds", std::to_string(sweep.rounds));
     option("--seed", std::to_string(asked.seed));
-    option("--probes", sweep.traces ? "time,error,bytes,lines,caches" : "time,error,bytes");
+    option("--probes", sweep.traces ? "time,error,bytes,memory,lines,caches" : "time,error,bytes,memory");
     if (sweep.traces) {
         option("--caches", "all");
         option("--machines", comma_list(sweep.machines));
