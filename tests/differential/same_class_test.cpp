@@ -12,42 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "bodies.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/registry.hpp"
-#include "random_pairs.hpp"
+#include "random_workloads.hpp"
 #include "representatives.hpp"
 
 namespace edgewise {
 namespace {
-
-constexpr std::uint32_t pairs_per_setting = 1000;
-
-std::vector<Polyhedron> bodies() {
-    std::vector<Polyhedron> all;
-    for (const NamedBody& named : flat_bodies()) all.push_back(named.body);
-    for (const char* name : {"tetra4", "cube8", "sphere38", "sphere386"}) all.push_back(shape(name));
-    return all;
-}
-
-/// Each body next to itself and next to the cube. With warm starts each pair of bodies has one pair cache.
-scene::Workload workload(bool warm) {
-    scene::Workload all;
-    all.bodies = bodies();
-    all.warm = warm;
-    constexpr std::uint32_t cube = 5;
-    for (std::uint32_t a = 0; a < all.bodies.size(); ++a) {
-        for (const std::uint32_t b : std::set<std::uint32_t>{a, cube}) {
-            PairMaker maker(all.bodies[a], all.bodies[b], 100 + a);
-            for (std::uint32_t i = 0; i < pairs_per_setting; ++i) {
-                const RandomPair pair = maker.next();
-                all.queries.push_back({a, b, all.pair_count, pair.pose_a, pair.pose_b});
-            }
-            ++all.pair_count;
-        }
-    }
-    return all;
-}
 
 void add(bench::Fingerprint& print, const Distance& answer) {
     print.add(static_cast<std::uint64_t>(answer.status)).add(answer.distance);
@@ -60,7 +31,7 @@ void add(bench::Fingerprint& print, const Distance& answer) {
 
 std::string answers(const bench::TableType& type, const std::string& algorithm) {
     bench::Fingerprint print;
-    static const scene::Workload workloads[] = {workload(false), workload(true)};
+    static const std::vector<scene::Workload> workloads = random_workloads(1000);
     for (const scene::Workload& asked : workloads) {
         const auto runner = type.make_runner(algorithm);
         EXPECT_EQ(runner->load(asked), "") << type.name;
@@ -72,7 +43,7 @@ std::string answers(const bench::TableType& type, const std::string& algorithm) 
 TEST(SameClass, EveryTableTypeAnswersAsOneThatIsJudged) {
     std::map<std::string, std::string> classes,
         others;  // algorithm and answers -> cell; cell -> algorithm and answers
-    const std::vector<Polyhedron> all = bodies();
+    const std::vector<Polyhedron> all = bodies_of_random_pairs();
     for (const bench::TableType& type : bench::table_types()) {
         const bool holds_all = std::all_of(all.begin(), all.end(), [&](const Polyhedron& body) {
             return static_cast<bool>(type.stored_body(body));

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_answers [--some] [--answers] FILE | --update FILE | --details | --questions FILE
+// golden_answers [--some] [--answers] FILE | --update FILE | --details | --questions FILE TYPE
 //
 // One hash of all answers of each table type x algorithm to a fixed, seeded set of queries: every scene,
-// small and large bodies; status, distance, witness points, steps, fallbacks and refinements, bit by bit. One
-// hash of each one's trace. And one hash of the queries themselves for each scene. All are the same on every
-// compiler and machine, except traces: the compiler chooses in which order the operands of an expression are
-// read, and the file has g++'s traces. A difference means that a change moved some bits. If a change is
-// meant,
-// --update and commit the file with it. --some: this program has only some layouts, and rows of other layouts
-// in the file do not count. --answers: traces do not count. --questions: writes the queries to the file, as
-// numbers, for processors/answers.hpp.
+// small and large bodies; status, distance, witness points, steps, fallbacks and refinements, bit by bit.
+// Another one of its answers to the corpus, and to random pairs of bodies; one of the bytes of its tables by
+// purpose, of the object that holds a table, and of a pair's cache; and one of its trace. And one hash of the
+// queries themselves for each scene. All are the same on every compiler and machine, except traces: the
+// compiler chooses in which order the operands of an expression are read, and the file has g++'s traces. A
+// difference means that a change moved some bits. If a change is meant, --update and commit the file with it.
+// --some: this program has only some layouts, and rows of other layouts in the file do not count. --answers:
+// traces do not count. --questions: writes the queries to the file, as numbers, with bodies as the table type
+// stores them, for processors/answers.hpp.
 #include <fmt/core.h>
 
 #include <bit>
 #include <fstream>
+#include <iomanip>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "corpus.hpp"
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
 #include "golden_main.hpp"
+#include "random_workloads.hpp"
 
 namespace edgewise {
 namespace {
@@ -69,15 +74,22 @@ void add(bench::Fingerprint& print, const Distance& answer) {
     print.add(static_cast<std::uint64_t>(answer.refinements));
 }
 
-/// Every table type and algorithm on one scene and shape that the layout can hold.
-void add_answers(Prints& prints, const scene::Workload& workload, const std::string& detail) {
+/// Adds the bytes of the first table by purpose, of the object that holds it, and of a pair's cache.
+void add_bytes(bench::Fingerprint& print, const bench::Runner& runner) {
+    for (const std::uint64_t bytes : runner.ledger().bytes) print.add(bytes);
+    print.add(std::uint64_t{runner.object_bytes()}).add(std::uint64_t{runner.pair_bytes()});
+}
+
+/// Every table type and algorithm on one workload, if the layout can hold its bodies. Rows begin with `set`.
+void add_answers(Prints& prints, const std::string& set, const scene::Workload& workload,
+                 const std::string& detail) {
     for (const bench::TableType& type : bench::table_types()) {
         for (const std::string& algorithm : type.algorithms) {
-            if (!type.stored_body(workload.bodies[0])) continue;  // too large for the layout
             const auto runner = type.make_runner(algorithm);
-            const std::string error = runner->load(workload);
-            if (!error.empty()) throw std::runtime_error(type.name + ": " + error);
-            bench::Fingerprint& print = prints[type.name + " " + algorithm + detail];
+            if (!runner->load(workload).empty()) continue;
+            const std::string cell = type.name + " " + algorithm + detail;
+            add_bytes(prints["bytes " + cell], *runner);
+            bench::Fingerprint& print = prints[set + cell];
             for (const Distance& answer : runner->answer()) add(print, answer);
         }
     }
@@ -123,7 +135,20 @@ void add_traces(Prints& prints) {
     }
 }
 
-/// Calls use(scene, shape, workload) for each.
+/// The workload in a runner's unit of length, with rotations made orthonormal.
+scene::Workload prepared(scene::Workload given) {
+    bench::PreparedWorkload ready;
+    const std::string error = ready.take_bodies(given.bodies, VertexOrder::given, [](const Polyhedron& body) {
+        return Result<Polyhedron>::success(body);
+    });
+    if (!error.empty()) throw std::runtime_error(error);
+    ready.take_queries(given);
+    given.queries = ready.workload().queries;
+    given.bodies = ready.bodies();
+    return given;
+}
+
+/// Calls use(set, scene, shape, workload) for each; rows of answers begin with `set`.
 template <class Use>
 void for_all_workloads(const Use& use) {
     for (const scene::SceneInfo& scene : scene::list_scenes()) {
@@ -135,17 +160,27 @@ void for_all_workloads(const Use& use) {
             if (!body) throw std::runtime_error(body.error);
             const sweep::SharedQueries queries(golden_plan(), {scene.name, {}},
                                                {shape, "built-in", std::move(*body), ""});
-            use(scene.name, shape, queries.workload());
+            use("", scene.name, shape, queries.workload());
         }
     }
+    for (const scene::Case& given : corpus()) {
+        scene::Workload pair;
+        for (const scene::CaseBody* body : {&given.a, &given.b})
+            pair.bodies.push_back(scene::body_from_case(*body).or_throw());
+        pair.queries = {{0, 1, 0, given.pose_a, given.pose_b}};
+        pair.pair_count = 1;
+        use("corpus ", "corpus", given.id, prepared(pair));
+    }
+    for (const scene::Workload& pairs : random_workloads(200)) use("pairs ", "pairs", "", prepared(pairs));
 }
 
 Prints all_prints(bool details) {
     Prints prints;
-    for_all_workloads([&](const std::string& scene, const char* shape, const scene::Workload& workload) {
+    for_all_workloads([&](const std::string& set, const std::string& scene, const std::string& shape,
+                          const scene::Workload& workload) {
         const std::string detail = details ? fmt::format(" {} {}", scene, shape) : "";
         add(prints["queries " + scene + (details ? fmt::format(" {}", shape) : "")], workload);
-        add_answers(prints, workload, detail);
+        add_answers(prints, set, workload, detail);
     });
     add_traces(prints);
     return prints;
@@ -191,16 +226,29 @@ class NumberFile {
         write(query.pose_a);
         write(query.pose_b);
     }
-    void write(const scene::Workload& workload) {
+    /// The bodies are written as the runner stores them.
+    void write(const std::string& set, const scene::Workload& workload, const bench::Runner& runner) {
+        file_ << std::quoted(set) << '\n';
         write(std::uint64_t{workload.warm});
         write(std::uint64_t{workload.pair_count});
-        write(workload.bodies);
+        const auto bodies = runner.stored_bodies();
+        write(std::vector<Polyhedron>(bodies.begin(), bodies.end()));
         write(workload.queries);
     }
 
   private:
     std::ofstream file_;
 };
+
+void write_questions(const std::string& to, const std::string& type) {
+    NumberFile file(to);
+    const std::vector<std::string> names = {type};
+    const bench::TableType& asked = *bench::select_table_types(names).front();
+    for_all_workloads([&](const auto& set, const auto&, const auto&, const auto& workload) {
+        const auto runner = asked.make_runner("gjk");
+        if (runner->load(workload).empty()) file.write(set, workload, *runner);
+    });
+}
 
 golden::Rows rows_of(const Prints& prints) {
     golden::Rows rows;
@@ -216,16 +264,16 @@ int main(int count, char** values) {
     std::vector<std::string> arguments(values + 1, values + count);
     const bool answers = std::erase(arguments, "--answers") > 0;
     const golden::Program program{"golden_answers",
-                                  "[--some] [--answers] FILE | --update FILE | --details | --questions FILE",
+                                  "[--some] [--answers] FILE | --update FILE | --details | "
+                                  "--questions FILE TYPE",
                                   "hashes differ",
                                   1,
                                   [] { return rows_of(all_prints(false)); },
                                   0,
                                   answers ? "trace " : ""};
     return golden::run_or_say_why(program, [&] {
-        if (arguments.size() == 2 && arguments[0] == "--questions") {
-            NumberFile file(arguments[1]);
-            for_all_workloads([&](const auto&, const char*, const auto& workload) { file.write(workload); });
+        if (arguments.size() == 3 && arguments[0] == "--questions") {
+            write_questions(arguments[1], arguments[2]);
             return 0;
         }
         if (arguments != std::vector<std::string>{"--details"}) return golden::run(program, arguments);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The queries of golden_answers once more, in a program without the tool and without Qhull, which can be
-// cross-compiled: reads bodies and poses that `golden_answers --questions` wrote, and prints the same hash of
-// each algorithm's answers, to be compared with answers.txt. Batches in lanes must be the bits of single
-// queries.
+// cross-compiled: reads bodies and poses that `golden_answers --questions` wrote, and prints the same hashes
+// of each algorithm's answers and of the tables' bytes, to be compared with answers.txt. Batches in lanes
+// must be the bits of single queries.
 #pragma once
 
 #include <bit>
@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,12 +28,13 @@ class Numbers {
   public:
     explicit Numbers(const char* file) : file_(file) {}
 
-    /// Nothing at the end of the file.
-    [[nodiscard]] std::optional<std::uint64_t> next() {
+    /// Reads a text in quotes. Returns false at the end of the file.
+    [[nodiscard]] bool text(std::string& to) { return static_cast<bool>(file_ >> std::quoted(to)); }
+    [[nodiscard]] std::uint64_t whole() {
         std::uint64_t number = 0;
-        return file_ >> number ? std::optional(number) : std::nullopt;
+        if (!(file_ >> number)) std::abort();
+        return number;
     }
-    [[nodiscard]] std::uint64_t whole() { return next().value(); }
     [[nodiscard]] Vec3d vector() {
         Vec3d v;
         for (int i = 0; i < 3; ++i) v[i] = std::bit_cast<double>(whole());
@@ -53,6 +56,7 @@ struct Question {
 };
 
 struct Questions {
+    std::string set;  ///< begins the rows of answers
     bool warm;
     std::size_t pairs;
     std::vector<Polyhedron> bodies;
@@ -90,9 +94,10 @@ struct Questions {
 [[nodiscard]] inline std::vector<Questions> read_questions(const char* file) {
     Numbers from(file);
     std::vector<Questions> all;
-    while (const auto warm = from.next()) {
+    for (std::string set; from.text(set);) {
         Questions& one = all.emplace_back();
-        one.warm = *warm != 0;
+        one.set = set;
+        one.warm = from.whole() != 0;
         one.pairs = from.whole();
         one.bodies.resize(from.whole());
         for (Polyhedron& body : one.bodies) body = read_body(from);
@@ -165,21 +170,27 @@ template <class Table>
     return hash.value();
 }
 
-/// Prints a row as answers.txt has it. Returns false if a batch differs from single queries.
+/// Prints the rows of an algorithm on a table type as answers.txt has them. Returns false if a batch differs
+/// from single queries.
 template <class Algorithm, class Table>
-[[nodiscard]] bool print_row(const char* name, const std::vector<Questions>& all) {
-    Hash hash;
+[[nodiscard]] bool print_rows_of(const char* name, const std::vector<Questions>& all) {
+    std::map<std::string, Hash> hashes;
     bool lanes_agree = true;
     for (const Questions& questions : all) {
         std::vector<Table> tables;
         for (const Polyhedron& body : questions.bodies) tables.emplace_back(body, Algorithm::parts);
+        Hash& bytes = hashes["bytes "];
+        for (const std::uint64_t number : tables[0].ledger().bytes) bytes.add(number);
+        bytes.add(sizeof(Table));
+        bytes.add(sizeof(typename Algorithm::template Pair<Table, Table>));
         const std::vector<Distance> answers = answer<Algorithm>(questions, tables);
-        for (const Distance& answer : answers) hash.add(answer);
+        for (const Distance& answer : answers) hashes[questions.set].add(answer);
         if constexpr (std::is_same_v<Algorithm, Gjk>)
             lanes_agree = lanes_agree &&
                           (questions.warm || hash_of(answers) == hash_of(answer_in_lanes(questions, tables)));
     }
-    std::printf("%s %s %016" PRIx64 "\n", name, Algorithm::name.data(), hash.value());
+    for (const auto& [set, hash] : hashes)
+        std::printf("%s%s %s %016" PRIx64 "\n", set.c_str(), name, Algorithm::name.data(), hash.value());
     if (!lanes_agree) std::printf("%s: lanes differ from single queries\n", name);
     return lanes_agree;
 }
@@ -188,8 +199,8 @@ template <class Algorithm, class Table>
 template <class Table>
 [[nodiscard]] bool print_rows(const char* name, const char* file) {
     const std::vector<Questions> all = read_questions(file);
-    bool agrees = print_row<Gjk, Table>(name, all);
-    if constexpr (FeatureTable<Table>) agrees = print_row<VClip, Table>(name, all) && agrees;
+    bool agrees = print_rows_of<Gjk, Table>(name, all);
+    if constexpr (FeatureTable<Table>) agrees = print_rows_of<VClip, Table>(name, all) && agrees;
     return agrees;
 }
 
