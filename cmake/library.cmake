@@ -13,6 +13,7 @@ set_target_properties(edgewise_library PROPERTIES EXPORT_NAME edgewise OUTPUT_NA
 target_compile_features(edgewise_library PUBLIC cxx_std_20)
 # V-Clip needs two equal products to be the same number; with contraction the compiler could fuse only one of them.
 target_compile_options(edgewise_library PUBLIC $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-ffp-contract=off>)
+target_compile_definitions(edgewise_library PUBLIC EDGEWISE_CONTRACTION_KNOWN)  # else headers warn where products may be fused
 target_include_directories(edgewise_library PUBLIC
     $<BUILD_INTERFACE:${EDGEWISE_INCLUDE}> $<INSTALL_INTERFACE:include>)
 target_link_libraries(edgewise_library PUBLIC Eigen3::Eigen PRIVATE Qhull::qhull_r $<BUILD_INTERFACE:edgewise_flags>)

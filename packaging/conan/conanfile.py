@@ -56,3 +56,4 @@ class Edgewise(ConanFile):
         self.cpp_info.set_property("cmake_target_name", "edgewise::edgewise")
         self.cpp_info.libs = ["edgewise"]
         self.cpp_info.cxxflags = ["-ffp-contract=off"]
+        self.cpp_info.defines = ["EDGEWISE_CONTRACTION_KNOWN"]

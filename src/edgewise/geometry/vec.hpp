@@ -5,9 +5,6 @@
 // Eigen may sum a product in packets or with fused multiply-add, depending on the machine it is compiled for.
 // Edgewise promises the same bits on every machine, so everything that sums goes through the functions below,
 // which sum in the order of the source. Element-wise +, -, * are Eigen's own.
-//
-// The undefined-behaviour sanitizer does not instrument functions that only read vectors passed to them: it
-// would find nothing, and took a good part of the time that g++ needs for a query (inlining.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,9 +13,15 @@
 
 #include "edgewise/geometry/inlining.hpp"
 
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ && !defined(EDGEWISE_ALLOW_FAST_MATH)
+#if !defined(EDGEWISE_ALLOW_FAST_MATH) && \
+    (__FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || __FLT_EVAL_METHOD__ == 2)
 #error \
-    "Edgewise needs NaN and infinity: compile without -ffast-math (-ffinite-math-only), or define EDGEWISE_ALLOW_FAST_MATH and hand over no pose with either"
+    "Edgewise needs NaN and infinity, and sums as they are written: compile without -ffast-math, its parts and x87 arithmetic, or define EDGEWISE_ALLOW_FAST_MATH and hand over no pose with NaN or infinity"
+#endif
+#if !defined(EDGEWISE_CONTRACTION_KNOWN) && \
+    (defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA))
+#warning \
+    "Edgewise: fused products change the last bits of answers: compile with -ffp-contract=off and define EDGEWISE_CONTRACTION_KNOWN, as the CMake package and pkg-config do"
 #endif
 
 namespace edgewise {

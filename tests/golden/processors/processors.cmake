@@ -5,15 +5,17 @@
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../../consumer/steps.cmake)
 
-set(flags -std=c++20 -DNDEBUG -I${SOURCE}/src -I${CMAKE_CURRENT_LIST_DIR} -isystem ${EIGEN} -fno-math-errno -Wno-psabi)
+set(flags -std=c++20 -DNDEBUG -I${SOURCE}/src -I${CMAKE_CURRENT_LIST_DIR} -isystem ${EIGEN} -fno-math-errno -Wno-psabi
+    -DEDGEWISE_CONTRACTION_KNOWN)
 file(STRINGS ${ANSWERS} expected)
 
-# The sources of the library that queries need, compiled once.
+# The sources of the library that queries need, compiled once. No query builds hulls: the linker drops functions that do.
 set(objects)
-foreach(source algorithms/search/single_search geometry/strictly_convex geometry/hull/point_set geometry/hull/extreme_frame)
+foreach(source algorithms/search/single_search geometry/strictly_convex geometry/hull/point_set geometry/hull/extreme_frame
+        geometry/grid)
     string(MAKE_C_IDENTIFIER ${source} name)
     list(APPEND objects ${SCRATCH}/${name}.o)
-    run("compiling ${source} for ${PROCESSOR}" ${COMPILER} ${flags} -O2 -ffp-contract=off
+    run("compiling ${source} for ${PROCESSOR}" ${COMPILER} ${flags} -O2 -ffp-contract=off -ffunction-sections
         -c ${SOURCE}/src/edgewise/${source}.cpp -o ${SCRATCH}/${name}.o)
 endforeach()
 
@@ -31,8 +33,8 @@ int main(int, char** arguments) {
 }
 ")
     run("writing the queries of ${type}" ${QUESTIONS} --questions ${SCRATCH}/queries.txt ${type})
-    run("compiling ${type} for ${PROCESSOR}" ${COMPILER} ${flags} ${level} -ffp-contract=${contraction} -static ${main}
-        ${objects} -o ${SCRATCH}/${type})
+    run("compiling ${type} for ${PROCESSOR}" ${COMPILER} ${flags} ${level} -ffp-contract=${contraction} -static
+        -Wl,--gc-sections ${main} ${objects} -o ${SCRATCH}/${type})
     execute_process(COMMAND ${QEMU} ${SCRATCH}/${type} ${SCRATCH}/queries.txt OUTPUT_VARIABLE rows RESULT_VARIABLE failed)
     if(failed)
         message(FATAL_ERROR "${PROCESSOR}, ${type} ${level}: ${failed} ${rows}")
