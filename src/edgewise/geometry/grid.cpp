@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "edgewise/geometry/aabb.hpp"
@@ -31,7 +32,13 @@ Grid grid_around(const Aabb& box, double steps, double finest) {
     return grid;
 }
 
-double reach_of(const Aabb& box) { return std::max(max_abs(box.low), max_abs(box.high)); }
+/// The finest step whose multiples arithmetic with this rounding holds exactly: `rounding` times the largest
+/// coordinate, and in single no less than the distance of its smallest numbers.
+double finest_step(const Aabb& box, double rounding, double eps) {
+    const double reach = std::max(max_abs(box.low), max_abs(box.high));
+    const bool in_single = eps > Tolerance<double>::eps;
+    return std::max(rounding * reach, in_single ? double{std::numeric_limits<float>::denorm_min()} : 0);
+}
 
 /// Returns each point at its nearest grid place; the points themselves if all lie on the grid already.
 std::vector<Vec3d> on_grid(std::span<const Vec3d> points, double eps) {
@@ -87,13 +94,13 @@ Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
 Grid Grid::for_rounding(std::span<const Vec3d> points, double eps) {
     if (points.empty()) return {};
     const Aabb box = box_of(points);
-    return grid_around(box, most_steps_to_round, 2 * eps * reach_of(box));
+    return grid_around(box, most_steps_to_round, finest_step(box, 2 * eps, eps));
 }
 
 Grid Grid::of_rounded(std::span<const Vec3d> points, double eps) {
     if (points.empty()) return {};
     const Aabb box = box_of(points);
-    return grid_around(box, most_steps, eps * reach_of(box));
+    return grid_around(box, most_steps, finest_step(box, eps, eps));
 }
 
 Grid::Place Grid::nearest(const Vec3d& point) const {
