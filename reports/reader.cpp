@@ -216,6 +216,12 @@ constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
                                        {"pressure", "new_order", 0},
                                        {"pressure", "least_steps", 0},
                                        {"pressure", "own_tables", 1},
+                                       {"resting", "bodies", 60},
+                                       {"resting", "fastest_turn", 0.1},
+                                       {"resting", "halvings", 16},
+                                       {"resting", "margin", 0.06},
+                                       {"resting", "asleep", 0.2},
+                                       {"resting", "own_tables", 0},
                                        {"recorded", "rate", 60},
                                        {"recorded", "seconds", 0},
                                        {"recorded", "margin", 0.02},
@@ -276,6 +282,7 @@ std::string motion_of(const ReportCell& cell) {
     if (kind == "proximity") return fmt::format("pairs that stay close and {}", turn_of(cell));
     if (kind == "pressure")
         return fmt::format("{} in a row {}, neighbours asked in turn", bodies, turn_of(cell));
+    if (kind == "resting") return bodies + " at rest on each other, most of them nearly still";
     if (kind == "recorded") return "motion of an engine, replayed step after step";
     return kind;
 }
@@ -299,10 +306,11 @@ bool is_near_contact(const ReportCell& cell) {
 }
 
 std::string scene_sentence(const ReportCell& cell) {
+    const std::string kind = scene_kind(cell);
     return fmt::format("{}; {}", motion_of(cell),
-                       has_own_tables(cell)             ? "a table for each body"
-                       : scene_kind(cell) == "recorded" ? "a table for each shape"
-                                                        : "one shared table");
+                       has_own_tables(cell)                      ? "a table for each body"
+                       : kind == "recorded" || kind == "resting" ? "a table for each shape"
+                                                                 : "one shared table");
 }
 
 namespace {

@@ -20,15 +20,14 @@ namespace {
 const std::vector<SceneKind>& scenes() {
     static const std::vector<SceneKind> all = {static_scene(),  cold_scene(),      gap_scene(),
                                                tumble_scene(),  proximity_scene(), pressure_scene(),
-                                               recorded_scene()};
+                                               resting_scene(), recorded_scene()};
     return all;
 }
 
 const SceneKind* find_scene(std::string_view name) {
-    for (const SceneKind& kind : scenes()) {
-        if (kind.info.name == name) return &kind;
-    }
-    return nullptr;
+    const auto found =
+        std::ranges::find(scenes(), name, [](const SceneKind& kind) { return kind.info.name; });
+    return found == scenes().end() ? nullptr : &*found;
 }
 
 template <class Infos>
@@ -105,7 +104,39 @@ Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape, con
     return kind.make({shape, *parameters, seed, query_count, distance});
 }
 
-// Measures of bodies that several scenes take.
+// Parts that several scenes share.
+
+Frame& add_step(std::span<const MovingBody> bodies, double margin, Workload& workload) {
+    Frame& frame =
+        workload.frames.emplace_back(Frame{workload.queries.size(), workload.frames.empty(), {}, {}, margin});
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Polyhedron& shape = workload.bodies[workload.instances[i]];
+        frame.poses.push_back(pose_of(bodies[i], vertex_mean(shape.vertices)));
+        frame.boxes.push_back(world_box(shape, frame.poses.back()).enlarged(margin));
+    }
+    return frame;
+}
+
+void ask_pairs(std::span<const BodyPair> pairs, std::span<const Pose> poses, PairSlots& slots,
+               Workload& workload) {
+    PairSlots now;
+    for (const BodyPair& pair : pairs) {
+        const auto known = slots.find(pair);
+        const std::uint32_t slot = known != slots.end() ? known->second : workload.pair_count++;
+        now[pair] = slot;
+        workload.queries.push_back({workload.instances[pair.first], workload.instances[pair.second], slot,
+                                    poses[pair.first], poses[pair.second], pair.first, pair.second});
+    }
+    slots = std::move(now);
+}
+
+void cut(std::size_t query_count, Workload& workload) {
+    workload.queries.resize(query_count);
+    std::erase_if(workload.frames, [&](const Frame& frame) { return frame.first_query >= query_count; });
+    workload.pair_count = 0;
+    for (const Query& query : workload.queries)
+        workload.pair_count = std::max(workload.pair_count, query.pair + 1);
+}
 
 Vec3d vertex_mean(std::span<const Vec3d> vertices) {
     assert(!vertices.empty());

@@ -220,7 +220,8 @@ TEST(Scenes, OneSeedOneWorkload) {
     const std::map<std::string, std::uint64_t> golden = {
         {"static", 0x893bd2e00cc3aca7U},    {"cold", 0xcdc5428cd9779aa9U},
         {"gap", 0x8bcdea69156a40e8U},       {"tumble", 0x64db073872c93f51U},
-        {"proximity", 0xa9fd913d7cc1f7e5U}, {"pressure", 0x4001d7fcbcf5fd18U}};
+        {"proximity", 0xa9fd913d7cc1f7e5U}, {"pressure", 0x4001d7fcbcf5fd18U},
+        {"resting", 0x5eb77ed4daa9b151U}};
     for (const SceneInfo& info : list_scenes()) {
         if (info.name == recorded_kind) continue;  // made from a file, without a seed
         const Workload w = made_scene(info.name.c_str(), body, 500, {}, 42);

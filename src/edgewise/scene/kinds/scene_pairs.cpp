@@ -22,7 +22,6 @@
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 
 namespace edgewise::scene {

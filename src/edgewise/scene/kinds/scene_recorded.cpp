@@ -12,7 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/recording.hpp"
@@ -129,22 +128,6 @@ std::string keep_segments(std::size_t length, std::size_t query_count, std::vect
     return text;
 }
 
-void add_queries(const Recording& recording, Replayed& step, std::map<BodyPair, std::uint32_t>& near,
-                 Workload& workload) {
-    if (step.jump) near.clear();
-    std::map<BodyPair, std::uint32_t> now;
-    workload.frames.push_back({workload.queries.size(), step.jump, std::move(step.boxes)});
-    for (const BodyPair& pair : step.pairs) {
-        const auto known = near.find(pair);
-        const std::uint32_t slot = known != near.end() ? known->second : workload.pair_count++;
-        now[pair] = slot;
-        workload.queries.push_back({recording.bodies[pair.first].core, recording.bodies[pair.second].core,
-                                    slot, step.poses[pair.first], step.poses[pair.second], pair.first,
-                                    pair.second});
-    }
-    near = std::move(now);
-}
-
 Result<Workload> make_nothing(const SceneSetup&) {
     return Result<Workload>::failure(
         R"(scene 'recorded' is of a file: name the recording with --scenes, or a scene file with "recording")");
@@ -163,8 +146,12 @@ Result<Workload> recorded_workload(const Recording& recording, const SceneParame
     workload.table_each = parameters.at("own_tables") == 1;
     workload.bodies = recording.cores;
     for (const RecordedBody& body : recording.bodies) workload.instances.push_back(body.core);
-    std::map<BodyPair, std::uint32_t> near;
-    for (Replayed& step : steps) add_queries(recording, step, near, workload);
+    PairSlots slots;
+    for (Replayed& step : steps) {
+        if (step.jump) slots.clear();
+        workload.frames.push_back({workload.queries.size(), step.jump, std::move(step.boxes)});
+        ask_pairs(step.pairs, step.poses, slots, workload);
+    }
     if (workload.queries.empty())
         return Result<Workload>::failure(fmt::format(
             "recording {}: no pair is near in {} steps; raise margin", recording.name, steps.size()));

@@ -6,9 +6,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 
 #include "edgewise/algorithms/sweep_and_prune.hpp"
+#include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/scene/workload.hpp"
 
@@ -39,6 +41,22 @@ struct SceneSetup {
 
 /// Box of a posed body in world axes, by a full scan of the vertices.
 [[nodiscard]] Aabb world_box(const Polyhedron& body, const Pose& pose);
+
+/// Starts a step of the workload with its instances where the bodies are now. `margin`: by which boxes are
+/// larger than bodies, on all sides.
+Frame& add_step(std::span<const MovingBody> bodies, double margin, Workload& workload);
+
+/// Slots of the pair cache: one for each uninterrupted stay of a pair in the list of pairs.
+using PairSlots = std::map<BodyPair, std::uint32_t>;
+
+/// Asks the pairs of a step, with the poses of the instances. A pair that was in `slots`, those of the step
+/// before, starts warm. `slots` becomes those of this step.
+void ask_pairs(std::span<const BodyPair> pairs, std::span<const Pose> poses, PairSlots& slots,
+               Workload& workload);
+
+/// Removes the queries beyond this count, with their steps and slots. Slots must be numbered in order of
+/// appearance.
+void cut(std::size_t query_count, Workload& workload);
 
 /// The number cut to 24 leading bits. Lengths that come from sums over a body (its volume) or from a distance
 /// algorithm go through this, so that their last bits cannot move a pose.
@@ -87,6 +105,7 @@ struct SceneKind {
 [[nodiscard]] SceneKind tumble_scene();
 [[nodiscard]] SceneKind proximity_scene();
 [[nodiscard]] SceneKind pressure_scene();
+[[nodiscard]] SceneKind resting_scene();
 [[nodiscard]] SceneKind recorded_scene();
 
 }  // namespace edgewise::scene

@@ -15,7 +15,6 @@
 #include <array>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -44,17 +43,6 @@ Placement populate(const std::vector<Polyhedron>& bodies, const Vec3d& centre, s
     return placement;
 }
 
-void add_queries(const Placement& placement, std::span<const BodyPair> pairs, std::size_t limit,
-                 Workload& workload) {
-    constexpr std::uint32_t classes = size_classes.size();
-    for (const BodyPair& pair : pairs) {
-        if (workload.queries.size() == limit) return;
-        workload.queries.push_back({pair.first % classes, pair.second % classes, workload.pair_count++,
-                                    placement.poses[pair.first], placement.poses[pair.second], pair.first,
-                                    pair.second});
-    }
-}
-
 Result<Workload> make_static(const SceneSetup& setup) {
     Workload workload;
     for (const double factor : size_classes) workload.bodies.push_back(scaled(setup.shape, factor));
@@ -73,7 +61,8 @@ Result<Workload> make_static(const SceneSetup& setup) {
         const Placement placement = populate(workload.bodies, centre, count, half, margin, rng);
         SweepAndPrune broad_phase(count);
         const std::span<const BodyPair> pairs = broad_phase.update(placement.boxes);
-        add_queries(placement, pairs, setup.query_count, workload);
+        PairSlots fresh;
+        ask_pairs(pairs, placement.poses, fresh, workload);
         barren = pairs.empty() ? barren + 1 : 0;
         if (barren == most_barren) {
             return Result<Workload>::failure(fmt::format(
@@ -81,6 +70,7 @@ Result<Workload> make_static(const SceneSetup& setup) {
                 most_barren));
         }
     }
+    cut(setup.query_count, workload);
     return Result<Workload>::success(std::move(workload));
 }
 

@@ -24,10 +24,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
-#include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
 
@@ -40,12 +38,7 @@ constexpr std::size_t most_barren = 100000;  ///< steps in a row without a pair 
 class Population {
   public:
     Population(const SceneSetup& setup, const Polyhedron& shape, double half, Rng& rng)
-        : setup_(setup),
-          half_(half),
-          rng_(rng),
-          shape_(shape),
-          centre_(vertex_mean(shape.vertices)),
-          broad_phase_(setup.count("bodies")) {
+        : setup_(setup), half_(half), rng_(rng), broad_phase_(setup.count("bodies")) {
         margin_ = setup["margin"] * extent(shape.vertices);
         const bool random = setup.count("random_velocities") == 1;
         for (std::size_t i = 0; i < setup.count("bodies"); ++i) {
@@ -64,27 +57,15 @@ class Population {
 
     /// Asks this step's pairs, then moves everything one step on. Returns how many pairs there were.
     std::size_t step(Workload& workload) {
-        Frame& frame = workload.frames.emplace_back(Frame{workload.queries.size(), !begun_, {}, {}, margin_});
+        Frame& frame = add_step(bodies_, margin_, workload);
+        frame.starts_anew = !begun_;
         begun_ = true;
-        std::vector<Pose>& poses = frame.poses;
-        for (const MovingBody& body : bodies_) {
-            poses.push_back(pose_of(body, centre_));
-            frame.boxes.push_back(world_box(shape_, poses.back()).enlarged(margin_));
-        }
-        std::map<BodyPair, std::uint32_t> near;
-        for (const BodyPair& pair : broad_phase_.update(frame.boxes)) {
-            const auto known = near_.find(pair);
-            const std::uint32_t slot = known != near_.end() ? known->second : workload.pair_count++;
-            near[pair] = slot;
-            workload.queries.push_back(
-                {0, 0, slot, poses[pair.first], poses[pair.second], pair.first, pair.second});
-        }
-        near_ = std::move(near);
+        ask_pairs(broad_phase_.update(frame.boxes), frame.poses, slots_, workload);
         for (MovingBody& body : bodies_) {
             advance(body, half_);
             if (setup_.count("random_orientation") == 1) body.orientation = rng_.orientation();
         }
-        return near_.size();
+        return slots_.size();
     }
 
   private:
@@ -98,23 +79,11 @@ class Population {
     const SceneSetup& setup_;
     double half_, margin_;
     Rng& rng_;
-    const Polyhedron& shape_;  ///< to scale
-    Vec3d centre_;
     std::vector<MovingBody> bodies_;
     SweepAndPrune broad_phase_;
-    std::map<BodyPair, std::uint32_t> near_;
+    PairSlots slots_;
     bool begun_ = false;
 };
-
-/// Removes the queries beyond this count. Slots were numbered in order of appearance, so the others have no
-/// gaps.
-void cut(std::size_t query_count, Workload& workload) {
-    workload.queries.resize(query_count);
-    while (workload.frames.back().first_query >= query_count) workload.frames.pop_back();
-    workload.pair_count = 0;
-    for (const Query& query : workload.queries)
-        workload.pair_count = std::max(workload.pair_count, query.pair + 1);
-}
 
 /// Returns true if the workload has the requested number of queries and of steps.
 bool is_enough(const SceneSetup& setup, const Workload& workload) {

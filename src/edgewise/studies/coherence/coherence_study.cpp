@@ -23,7 +23,7 @@ namespace edgewise::studies {
 namespace {
 
 constexpr const char* coherence_run = "coherence";
-constexpr double near_contact = 0.01;  ///< sizes
+constexpr double near_contact = 0.01, touching = 1e-4;  ///< sizes
 
 constexpr const char *has_no_steps = "not asked step by step", *has_no_motion = "no pair is asked twice";
 
@@ -56,6 +56,7 @@ class Motion {
         add("persistent", ratio(persist_, could_persist_), "1", has_no_motion);
         add("overlapping", overlapping_ / asked_, "1", "");
         add("near", near_ / asked_, "1", "");
+        add("very_near", very_near_ / asked_, "1", "");
         return rows;
     }
 
@@ -98,6 +99,7 @@ class Motion {
             const bool apart = answer.status == Status::separated;
             overlapping_ += !apart;
             near_ += apart && answer.distance < near_contact * size_of(query);
+            very_near_ += apart && answer.distance < touching * size_of(query);
         }
     }
 
@@ -109,7 +111,7 @@ class Motion {
     const scene::Workload& workload_;
     std::vector<double> sizes_, turns_, ways_;
     std::vector<Vec3d> centres_;
-    double asked_ = 0, overlapping_ = 0, near_ = 0, could_persist_ = 0, persist_ = 0;
+    double asked_ = 0, overlapping_ = 0, near_ = 0, very_near_ = 0, could_persist_ = 0, persist_ = 0;
 };
 
 store::CellRow coherence_row(const sweep::SweepWork& work, const sweep::SceneWork& scene,
@@ -161,8 +163,8 @@ sweep::Study coherence_study() {
                 "Recorded scenes next to invented ones. Turn and way: of a pair's second body in the frame "
                 "of its first, from query to query, in radians and in sizes (extents of the smaller body). "
                 "Persistent: pairs that were asked in the step before. Near: separated by less than 0.01 "
-                "sizes. Of rounded bodies the cores are asked, without their radii. An invented scene "
-                "answers for a recorded one as far as their rows agree.",
+                "sizes; very near: by less than 0.0001. Of rounded bodies the cores are asked, without "
+                "their radii. An invented scene answers for a recorded one as far as their rows agree.",
             .columns = {{"coherence.turn_median", "turn, median (1e-3 rad)", 1e-3},
                         {"coherence.turn_p90", "p90", 1e-3},
                         {"coherence.turn_p99", "p99", 1e-3},
@@ -172,7 +174,8 @@ sweep::Study coherence_study() {
                         {"coherence.pairs_per_step", "pairs per step"},
                         {"coherence.persistent", "persistent (%)", 0.01},
                         {"coherence.overlapping", "overlapping (%)", 0.01},
-                        {"coherence.near", "near (%)", 0.01}}}};
+                        {"coherence.near", "near (%)", 0.01},
+                        {"coherence.very_near", "very near (%)", 0.01}}}};
 }
 
 }  // namespace edgewise::studies
