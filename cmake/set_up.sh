@@ -17,8 +17,9 @@ parallel slurmctld slurmd slurm-client dpkg-dev lintian doxygen python3 pkgconf 
 g++-riscv64-linux-gnu qemu-user'
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
-# Engines that `edgewise record` runs: if EDGEWISE_ENGINES=ON is in the environment, and for tests.
+# Engines that `edgewise record` runs: all for tests and if EDGEWISE_ENGINES=ON is in the environment; for "bullet", Bullet.
 wanted_by_recorders='libmujoco-dev libmujoco-samples libbullet-dev'
+[ "${EDGEWISE_ENGINES:-}" != bullet ] || wanted_by_recorders=libbullet-dev
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 
 say() { printf 'set-up: %s\n' "$*" >&2; }
@@ -98,9 +99,9 @@ if command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1; 
         # shellcheck disable=SC2086  # a list of words
         install_missing $wanted_by_peers || say "going on; what needs those will be left out"
     fi
-    if [ "${EDGEWISE_ENGINES:-}" = ON ] || [ "$1" = tests ]; then
+    if [ -n "${EDGEWISE_ENGINES:-}" ] || [ "$1" = tests ]; then
         # shellcheck disable=SC2086  # a list of words
-        install_missing $wanted_by_recorders || say "going on; models of the missing engines cannot be recorded"
+        install_missing $wanted_by_recorders || say "going on; models of the missing engines will not be recorded"
     fi
     if [ "$1" = sweep ]; then
         # shellcheck disable=SC2046  # a list of words

@@ -158,6 +158,15 @@ std::vector<sweep::SceneChoice> chosen_scenes(const sweep::Plan& plan, const Swe
     return kept;
 }
 
+/// Takes the bodies of the command line; optional recordings of the plan, which have their own, are left out.
+void replace_bodies(const SweepArguments& options, sweep::Plan& plan) {
+    take_bodies(options.shapes, plan);
+    std::erase_if(plan.scenes, &sweep::SceneChoice::optional);
+    for (sweep::SceneChoice& scene : plan.scenes) scene.shapes.clear();
+    plan.bodies_for_files = true;
+    plan.each_mesh = options.each_mesh;
+}
+
 /// The plan with the command line's filters over it. Naming shapes replaces the plan's bodies.
 sweep::Plan chosen_plan(const SweepArguments& options) {
     sweep::Plan plan = sweep::make_plan(options.plan);
@@ -167,16 +176,11 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     replace(plan.layouts, options.layouts);
     for (sweep::SceneChoice& scene : plan.scenes) {
         if (scene::is_scene_file(scene.name)) replace(scene.layouts, options.layouts);
-        if (!options.shapes.empty()) scene.shapes.clear();  // which name the plan's bodies
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);
     replace(plan.axes, options.axes);
-    if (!options.shapes.empty()) {
-        take_bodies(options.shapes, plan);
-        plan.bodies_for_files = true;
-        plan.each_mesh = options.each_mesh;
-    }
+    if (!options.shapes.empty()) replace_bodies(options, plan);
     plan.as_stored = plan.as_stored || options.as_stored;
     if (!options.scenes.empty()) plan.scenes = chosen_scenes(plan, options);
     replace(plan.machines, options.machines);

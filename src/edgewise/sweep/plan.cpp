@@ -72,6 +72,7 @@ SceneChoice read_scene(const nlohmann::json& json) {
         .take("plain", scene.plain)
         .take("axes", scene.axes)
         .take("caches", scene.caches)
+        .take("optional", scene.optional)
         .refuse_others();
     return scene;
 }

@@ -31,6 +31,7 @@ struct SceneChoice {
     bool plain = false;       ///< no further axes: all cells of a group are in memory, and these are large
     std::vector<std::string> axes = {};    ///< instead of the plan's
     std::vector<std::string> caches = {};  ///< shapes with modelled caches; "all": every shape
+    bool optional = false;  ///< a recording that is left out where its file is missing, or bodies are named
     std::shared_ptr<const scene::Recording> recording = {};  ///< of a scene file; not a member of plans
 };
 

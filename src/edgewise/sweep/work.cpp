@@ -157,8 +157,15 @@ bool add_if_file(const SceneChoice& choice, SweepWork& work,
     if (!scene::is_scene_file(choice.name)) return false;
     // A plan names recordings that layouts/sweep makes.
     const std::string made = file_beside_builds("recordings", choice.name);
-    const bool takes_made = scene::names_recording(choice.name) && !std::filesystem::exists(choice.name) &&
-                            std::filesystem::exists(made);
+    const bool is_missing = scene::names_recording(choice.name) && !std::filesystem::exists(choice.name);
+    const bool takes_made = is_missing && std::filesystem::exists(made);
+    if (is_missing && !takes_made && choice.optional) {
+        warn(
+            fmt::format("scene {} is left out: there is no such recording; layouts/sweep makes it where "
+                        "its engine is installed",
+                        choice.name));
+        return true;
+    }
     auto file = scene::find_scene_file(
         takes_made ? made : choice.name,
         {.bodies = work.plan.bodies_for_files ? work.shapes : std::vector<scene::NamedShape>{},

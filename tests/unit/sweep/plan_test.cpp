@@ -132,13 +132,16 @@ TEST(Plan, QuickAsksEveryContenderInEveryConditionOfTheContest) {
     const Plan plan = make_plan("quick");
     Names wanted = {"cold", "tumble rotation_step=0.01", "tumble rotation_step=0.1"};
     wanted.insert(wanted.end(), std::begin(near_contact), std::end(near_contact));
-    wanted.insert(wanted.end(), {"pressure bodies=200", "pressure bodies=6000"});
+    wanted.insert(wanted.end(), {"pressure bodies=200", "pressure bodies=6000", "resting",
+                                 "resting bodies=200 own_tables=1", "bullet_wall.jsonl.gz"});
     EXPECT_EQ(conditions_of(plan), wanted);
     const SweepWork work = prepare_sweep(plan, [](const std::string&) {});
     for (const SceneWork& scene : work.scenes) {
         Names bodies;
         for (const scene::NamedShape* shape : scene.shapes) bodies.push_back(shape->name);
-        EXPECT_THAT(bodies, UnorderedElementsAre("box8", "sphere38", "hubo_foot", "sphere386"));
+        if (scene.json.empty()) {  // else a recording, of its own bodies
+            EXPECT_THAT(bodies, UnorderedElementsAre("box8", "sphere38", "hubo_foot", "sphere386"));
+        }
         std::set<std::pair<std::string, std::string>> cells;
         work.each_cell(scene, [&](const bench::TableType& type, const std::string& algorithm, const Axes&) {
             cells.emplace(algorithm, type.name);
@@ -278,6 +281,21 @@ TEST_F(PlanFile, OverridesWhatItNamesAndKeepsTheRestOfQuick) {
     EXPECT_EQ(plan.rounds, 9);
     EXPECT_EQ(quick.processes, 3);
     EXPECT_EQ(plan.processes, 1) << "the one member that is not as in quick";
+}
+
+/// Plan quick replays a recording if layouts/sweep could make it.
+TEST_F(PlanFile, LeavesOutOptionalRecordingsThatAreMissing) {
+    const auto work_of = [&](const char* optional, std::vector<std::string>& said) {
+        const std::string plan = write(fmt::format(
+            R"({{"scenes": [{{"name": "{}/none.jsonl.gz"{}}}, {{"name": "cold"}}], "shapes": ["cube8"], "meshes": []}})",
+            folder_.string(), optional));
+        return prepare_sweep(make_plan(plan), [&](const std::string& line) { said.push_back(line); });
+    };
+    std::vector<std::string> said;
+    EXPECT_EQ(work_of(R"(, "optional": true)", said).scenes.size(), 1U);
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_THAT(said[0], HasSubstr("none.jsonl.gz is left out: there is no such recording"));
+    EXPECT_THAT(complaint_of<std::invalid_argument>([&] { work_of("", said); }), HasSubstr("no such file"));
 }
 
 TEST_F(PlanFile, BadOnesAreOneClearLine) {
