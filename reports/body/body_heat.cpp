@@ -69,8 +69,7 @@ bool take_reads(const HeatJson& json, const char* kind, double queries, std::siz
     return true;
 }
 
-std::optional<BodyHeat> heat_of_cell(const ReportCell& cell, const std::string& text, const HeatBody& body) {
-    const HeatJson json = input::json_or_null(text);
+std::optional<BodyHeat> heat_of_cell(const ReportCell& cell, const HeatJson& json, const HeatBody& body) {
     if (!json.is_object() || !json.contains("queries") || !json["queries"].is_number()) return std::nullopt;
     const double queries = json["queries"].get<double>();
     BodyHeat heat;
@@ -128,8 +127,11 @@ HeatOnBodies heat_on_bodies(const ReportData& data) {
                 found.bodies.emplace(cell->shape, std::move(*body));
         const auto body = found.bodies.find(cell->shape);
         if (body == found.bodies.end()) continue;
-        auto heat = heat_of_cell(*cell, *data.meta_value(store::heat_key + cell->hash), body->second);
-        if (heat) found.heats.push_back(std::move(*heat));
+        const HeatJson json = input::json_or_null(*data.meta_value(store::heat_key + cell->hash));
+        auto heat = heat_of_cell(*cell, json, body->second);
+        if (!heat) continue;
+        found.heats.push_back(std::move(*heat));
+        add_walk(json.value("walk", HeatJson()), *cell, body->second, found.walks);
     }
     return found;
 }
@@ -142,33 +144,39 @@ std::size_t heat_level(double reads, double most) {
     return 1 + static_cast<std::size_t>(std::clamp(part, 0.0, 0.999) * (heat_levels - 1));
 }
 
-namespace {
-
-constexpr double body_size = 420, body_margin = 12;
-
-struct BodyPoint {
-    double x = 0, y = 0;
-};
-
-/// Returns the points seen along the negative z axis after both turns; y downwards, as in a picture.
-std::vector<BodyPoint> seen_points(const HeatBody& body) {
+std::array<double, 3> middle_of(const HeatBody& body) {
     std::array<double, 3> middle = {};
     for (const auto& v : body.vertices)
         for (std::size_t k = 0; k < 3; ++k) middle[k] += v[k] / static_cast<double>(body.vertices.size());
+    return middle;
+}
+
+std::vector<BodyPoint> seen_points(const HeatBody& body, double yaw, double pitch) {
+    constexpr double margin = 12;
+    const std::array<double, 3> middle = middle_of(body);
     double radius = 1e-300;
     for (const auto& v : body.vertices)
         radius = std::max(radius, std::hypot(v[0] - middle[0], v[1] - middle[1], v[2] - middle[2]));
-    const double scale = (body_size / 2 - body_margin) / radius;
+    const double scale = (body_size / 2 - margin) / radius;
     std::vector<BodyPoint> points;
     for (const auto& v : body.vertices) {
         const double x = v[0] - middle[0], y = v[1] - middle[1], z = v[2] - middle[2];
-        const double turned_x = std::cos(body_yaw) * x + std::sin(body_yaw) * z,
-                     turned_z = -std::sin(body_yaw) * x + std::cos(body_yaw) * z,
-                     turned_y = std::cos(body_pitch) * y - std::sin(body_pitch) * turned_z;
+        const double turned_x = std::cos(yaw) * x + std::sin(yaw) * z,
+                     turned_z = -std::sin(yaw) * x + std::cos(yaw) * z,
+                     turned_y = std::cos(pitch) * y - std::sin(pitch) * turned_z;
         points.push_back({body_size / 2 + scale * turned_x, body_size / 2 - scale * turned_y});
     }
     return points;
 }
+
+std::string ring_path(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoint>& points) {
+    std::string path;
+    for (const std::uint32_t v : ring)
+        path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", points[v].x, points[v].y);
+    return path.empty() ? path : path + "z";
+}
+
+namespace {
 
 /// Returns true if a ring runs counter-clockwise in the picture, that is clockwise with y downwards.
 bool faces_us(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoint>& points) {
@@ -180,15 +188,14 @@ bool faces_us(const std::vector<std::uint32_t>& ring, const std::vector<BodyPoin
     return area < 0;
 }
 
-/// Visible features: faces, and the edges and vertices of their rings.
+/// Visible edges and vertices: those of the rings of visible faces.
 struct Sight {
-    std::vector<bool> faces, vertices;
+    std::vector<bool> vertices;
     std::set<std::array<std::uint32_t, 2>> edges;  ///< the smaller end first
 
     Sight(const HeatBody& body, const std::vector<BodyPoint>& points) : vertices(body.vertices.size()) {
         for (const auto& ring : body.faces) {
-            faces.push_back(faces_us(ring, points));
-            if (!faces.back()) continue;
+            if (!faces_us(ring, points)) continue;
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 vertices[ring[i]] = true;
                 edges.insert(in_order(ring[i], ring[(i + 1) % ring.size()]));
@@ -226,16 +233,18 @@ nlohmann::ordered_json reads_json(const FeatureReads& reads) {
 
 }  // namespace
 
+std::vector<std::string> face_paths(const HeatBody& body, const std::vector<BodyPoint>& points) {
+    std::vector<std::string> paths;
+    for (const auto& ring : body.faces)
+        paths.push_back(faces_us(ring, points) ? ring_path(ring, points) : "");
+    return paths;
+}
+
 std::string body_svg(const HeatBody& body, const BodyHeat& heat) {
-    const std::vector<BodyPoint> points = seen_points(body);
+    const std::vector<BodyPoint> points = seen_points(body, body_yaw, body_pitch);
     const Sight sight(body, points);
-    std::vector<std::string> faces, edges, vertices;
-    for (std::size_t i = 0; i < body.faces.size(); ++i) {
-        std::string path;
-        for (const std::uint32_t v : body.faces[i])
-            path += fmt::format("{}{:.0f} {:.0f}", path.empty() ? "M" : "L", points[v].x, points[v].y);
-        faces.push_back(sight.faces[i] ? path + "z" : "");
-    }
+    const std::vector<std::string> faces = face_paths(body, points);
+    std::vector<std::string> edges, vertices;
     for (const auto& [tail, head] : body.edges)
         edges.push_back(sight.edges.contains(Sight::in_order(tail, head))
                             ? fmt::format("M{:.0f} {:.0f}L{:.0f} {:.0f}", points[tail].x, points[tail].y,
@@ -266,7 +275,8 @@ std::string bodies_data(const HeatOnBodies& heat) {
                          {"vertices", reads_json(one.vertices)},
                          {"edges", reads_json(one.edges)},
                          {"faces", reads_json(one.faces)}});
-    return input::json_text(nlohmann::ordered_json{{"bodies", bodies}, {"heats", heats}});
+    return input::json_text(
+        nlohmann::ordered_json{{"bodies", bodies}, {"heats", heats}, {"walks", HeatJson(heat.walks)}});
 }
 
 }  // namespace edgewise::reports

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "edgewise/reports/body/body_walk.hpp"
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
@@ -38,6 +39,7 @@ struct BodyHeat {
 struct HeatOnBodies {
     std::map<std::string, HeatBody> bodies;  ///< by shape
     std::vector<BodyHeat> heats;  ///< of bodies that are there; the reference shape's baseline first
+    std::vector<BodyWalk> walks;  ///< of these heats' cells, in the same order
 };
 
 /// The largest number of heats in a page.
@@ -53,10 +55,27 @@ inline constexpr std::size_t heat_levels = 6;
 /// Angles of the first view, in radians: about the vertical axis, then about the horizontal one.
 inline constexpr double body_yaw = 0.6, body_pitch = 0.4;
 
+/// A point of a picture that is body_size wide and high; y downwards.
+struct BodyPoint {
+    double x = 0, y = 0;
+};
+inline constexpr double body_size = 420;
+
+/// Returns the mean of the vertices.
+[[nodiscard]] std::array<double, 3> middle_of(const HeatBody& body);
+/// Returns the vertices seen along the negative z axis after both turns, in radians as above.
+[[nodiscard]] std::vector<BodyPoint> seen_points(const HeatBody& body, double yaw, double pitch);
+/// Returns a closed path through these vertices; empty if there are none.
+[[nodiscard]] std::string ring_path(const std::vector<std::uint32_t>& ring,
+                                    const std::vector<BodyPoint>& points);
+/// Returns a path for each face; empty for those that face away.
+[[nodiscard]] std::vector<std::string> face_paths(const HeatBody& body, const std::vector<BodyPoint>& points);
+
 [[nodiscard]] std::string body_svg(const HeatBody& body, const BodyHeat& heat);
 
 /// Returns the bodies and their heats as JSON for the script: {"bodies": {shape: {"vertices", "edges",
-/// "faces"}}, "heats": [{"title", "said", "shape", "vertices", "edges", "faces"}]}.
+/// "faces"}}, "heats": [{"title", "said", "shape", "vertices", "edges", "faces"}], "walks": a list of
+/// BodyWalk}.
 [[nodiscard]] std::string bodies_data(const HeatOnBodies& heat);
 
 }  // namespace edgewise::reports

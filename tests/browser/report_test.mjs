@@ -55,6 +55,7 @@ async function looksRight(browser) {
     await legendAndTooltip(page);
     await wordsAreExplained(page);
     await bodyTurns(page);
+    await walkSteps(page);
     await foldsAndCells(page);
     await question(page);
     await filterBar(page);
@@ -140,6 +141,58 @@ async function bodyTurns(page) {
     const heats = await page.value(`bodyView.data.heats.map(heat => heat.title)`);
     const kept = query(`select count(*) as heats from meta where key like 'heat %'`)[0].heats;
     check('the store has as many heats', heats.length === Math.min(kept, 24) && kept > 1, kept);
+}
+
+/// The slider shows one query step by step: words, squares and features are those of the store's walk.
+async function walkSteps(page) {
+    const kept = query(`select table_type, algorithm, value from meta join cell on key = 'heat ' || hash where shape = 'sphere386'`)
+        .map(row => ({ ...row, walk: JSON.parse(row.value).walk })).filter(row => row.walk);
+    check('the store has walks of both algorithms', ['vclip', 'gjk'].every(name => kept.some(row => row.algorithm === name)), kept.length);
+    const shown = () => page.value(`({ said: document.getElementById('walk-said').textContent,
+        captions: [...document.querySelectorAll('#walk figcaption')].map(one => one.textContent),
+        now: [...document.querySelectorAll('#walk .now')].map(one => one.getAttribute('d')),
+        past: [...document.querySelectorAll('#walk .past')].map(one => one.getAttribute('d')) })`);
+    const squares = path => (path.match(/M/g) ?? []).length;
+    const expected = (row, place) => {
+        const known = new Set(row.walk.steps.slice(0, place).flatMap(step => step.lines));
+        const lines = row.walk.steps[place].lines, all = new Set([...known, ...lines]).size;
+        return `${row.table_type}: ${lines.length} ${lines.length === 1 ? 'line' : 'lines'}, ${all - known.size} of them new; ` +
+               `${all} of ${row.walk.tables.reduce((sum, one) => sum + one)} so far`;
+    };
+    for (const name of ['V-Clip', 'GJK']) {
+        await page.value(`(() => { const one = document.getElementById('walk-query');
+            one.value = [...one.options].find(option => option.parentElement.label.startsWith('${name}')).value;
+            one.dispatchEvent(new Event('input', { bubbles: true })); })()`);
+        const title = await page.value(`document.getElementById('walk-title').textContent`);
+        const names = (await page.value(`document.getElementById('walk-query').selectedOptions[0].text`)).split(' and ');
+        const count = Number(await page.value(`document.getElementById('walk-step').max`));
+        const rows = names.map(table => kept.filter(row => row.table_type === table && title.endsWith('query ' + row.walk.query) &&
+            (row.algorithm === 'gjk') === (name === 'GJK') && row.walk.steps.length === count));
+        check(title + ': two tables of the store', rows.every(found => found.length > 0) && names[0] !== names[1], names.join(', '));
+        await page.value(`document.getElementById('walk-step').focus()`);
+        let wrong = 0;
+        for (let place = count - 1; place >= 0; --place) {
+            const { said, captions, now, past } = await shown();
+            const step = rows[0][0].walk.steps[place];
+            wrong += !said.startsWith(`Step ${place + 1} of ${count}: `);
+            rows.forEach((found, side) => {
+                wrong += !found.some(row => captions[2 + side] === expected(row, place) && squares(now[2 + side]) === row.walk.steps[place].lines.length &&
+                    squares(past[2 + side]) === row.walk.steps.slice(0, place).reduce((sum, one) => sum + one.lines.length, 0));
+            });
+            [step.a, step.b].forEach((corners, side) => {  // corners of a simplex may share a vertex
+                const vertices = step.state === 'gjk_iteration' ? [...new Set(corners)].sort((v, w) => v - w) : corners;
+                wrong += captions[side].replace(/^Body [AB]:? ?[a-z ]*/, '') !== vertices.join(', ');
+                wrong += (now[side].match(/[ML]/g) ?? []).length !== vertices.length;
+            });
+            await page.send('Input.dispatchKeyEvent', { type: 'keyDown', key: 'ArrowLeft', code: 'ArrowLeft', windowsVirtualKeyCode: 37 });
+        }
+        check('and each of its steps, by the arrow keys, is the store\'s', wrong === 0 && await page.value(`document.getElementById('walk-step').value`) === '1', count + ' steps');
+    }
+    const lines = `document.querySelectorAll('#walk figcaption')[3].textContent`;
+    const before = await page.value(lines);
+    await page.value(`(() => { const one = document.getElementById('walk-query'); one.selectedIndex += 1;
+        one.dispatchEvent(new Event('input', { bubbles: true })); })()`);
+    check('another table has other lines', await page.value(lines) !== before);
 }
 
 /// Each linked term has its explanation, and each layout of the store the line that the store has of it.
@@ -292,6 +345,7 @@ async function withoutScripts(browser) {
     const [charts, stills] = [await all('[data-chart]'), await all('[data-chart] svg, [data-chart] table')];
     check('and a picture or a table in place of each chart', charts > 0 && stills >= charts, `${stills} of ${charts}`);
     check('and the body with its heat', await all('#body-picture path') > 0 && await all('#body-choice[hidden]') === 1);
+    check('and the last step of a walk', await all('#walk .now') === 4 && await all('#walk-choice[hidden]') === 1);
     check('and the map of who wins where', await all('#break-even svg > g') > 0);
     const bar = await all('#ask[hidden]');
     check('and nothing that would need them', bar === 1);

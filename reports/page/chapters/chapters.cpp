@@ -22,6 +22,21 @@
 
 namespace edgewise::reports {
 
+namespace {
+
+/// The last step of the first walk, with its first and its last table; a script shows the others.
+ChapterBlock walk_block(const BodyWalk& walk) {
+    std::string figures;
+    for (const WalkDrawing& body : walk.bodies) figures += walk_figure(body, "trail");
+    figures += walk_figure(walk.tables.front(), "lines") + walk_figure(walk.tables.back(), "lines");
+    return {.title = "One query, step by step",
+            .elements = fmt::format(
+                fmt::runtime(report_text("page.walk.html")), fmt::arg("title", html_text(walk.title)),
+                fmt::arg("said", html_text(walk.said.back())), fmt::arg("figures", figures))};
+}
+
+}  // namespace
+
 Chapter body_chapter(const Answer&, const ReportData& data) {
     Chapter chapter{.id = "body", .title = "Where on the body is the work?", .link = "The body"};
     const HeatOnBodies found = heat_on_bodies(data);
@@ -40,6 +55,7 @@ Chapter body_chapter(const Answer&, const ReportData& data) {
                                  fmt::arg("title", html_text(first.title())),
                                  fmt::arg("svg", body_svg(found.bodies.at(first.cell->shape), first)),
                                  fmt::arg("said", html_text(first.sentence())))}};
+    if (!found.walks.empty()) chapter.blocks.push_back(walk_block(found.walks.front()));
     return chapter;
 }
 

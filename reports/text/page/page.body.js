@@ -67,11 +67,45 @@ function showHeat(place) {
     drawBody();
 }
 
+// One query's walk: the drawings of its steps as body_walk.cpp made them, those of earlier steps faint.
+function showWalk() {
+    const [query, table] = document.getElementById('walk-query').value.split(' '), step = document.getElementById('walk-step');
+    const walk = bodyView.data.walks[query], last = step.value - 1;
+    document.getElementById('walk-title').textContent = walk.title;
+    document.getElementById('walk-said').textContent = walk.said[last];
+    step.setAttribute('aria-valuetext', walk.said[last]);
+    const figures = document.querySelectorAll('#walk figure');
+    [...walk.bodies, walk.tables[0], walk.tables[table]].forEach((drawing, i) => {
+        figures[i].querySelector('svg').setAttribute('viewBox', drawing.box);
+        const paths = [drawing.ground, drawing.steps.slice(0, last).join(''), drawing.steps[last]];
+        figures[i].querySelectorAll('path').forEach((path, k) => path.setAttribute('d', paths[k]));
+        figures[i].querySelector('figcaption').textContent = drawing.said[last];
+    });
+}
+
+function startWalk() {
+    const query = document.getElementById('walk-query'), step = document.getElementById('walk-step');
+    if (!query) return;
+    bodyView.data.walks.forEach((walk, i) => {
+        const group = document.createElement('optgroup');
+        group.label = walk.title;
+        const pairs = walk.tables.map((table, k) => new Option(`${walk.tables[0].name} and ${table.name}`, `${i} ${k}`));
+        group.append(...(pairs.length > 1 ? pairs.slice(1).reverse() : pairs));
+        query.append(group);
+    });
+    const choose = () => { step.max = step.value = bodyView.data.walks[query.value.split(' ')[0]].said.length; };
+    choose();
+    document.getElementById('walk-choice').hidden = false;
+    query.addEventListener('input', () => { choose(); showWalk(); });
+    step.addEventListener('input', showWalk);
+}
+
 async function startBody() {
     const view = document.getElementById('body-view');
     if (!view) return;
     bodyView.data = await unpackJson('bodies');
     document.getElementById('body-choice').hidden = false;
+    startWalk();
     document.getElementById('body-cell').addEventListener('change', event => showHeat(event.target.value));
     view.setAttribute('aria-label', 'The body: arrow keys turn it');
     view.addEventListener('keydown', event => {

@@ -237,7 +237,21 @@ std::string body_json(const Polyhedron& body) {
     return nlohmann::json{{"vertices", vertices}, {"edges", edges}, {"faces", faces}}.dump();
 }
 
-std::string heat_json(const bench::FeatureHeat& heat) {
+namespace {
+
+nlohmann::json walk_json(const bench::Walk& walk) {
+    nlohmann::json steps = nlohmann::json::array();
+    for (const bench::WalkStep& step : walk.steps)
+        steps.push_back({{"state", bench::step_names()[static_cast<std::size_t>(step.state)]},
+                         {"a", step.a},
+                         {"b", step.b},
+                         {"lines", step.lines}});
+    return {{"query", walk.query}, {"tables", walk.tables}, {"steps", steps}};
+}
+
+}  // namespace
+
+std::string heat_json(const bench::FeatureHeat& heat, const std::optional<bench::Walk>& walk) {
     const auto reads = [&](FeatureKind kind) {
         const auto& counts = heat.reads(kind);
         return counts ? nlohmann::json(*counts) : nlohmann::json();
@@ -245,7 +259,8 @@ std::string heat_json(const bench::FeatureHeat& heat) {
     return nlohmann::json{{"queries", heat.queries()},
                           {"vertices", reads(FeatureKind::vertex)},
                           {"edges", reads(FeatureKind::edge)},
-                          {"faces", reads(FeatureKind::face)}}
+                          {"faces", reads(FeatureKind::face)},
+                          {"walk", walk ? walk_json(*walk) : nlohmann::json()}}
         .dump();
 }
 
@@ -325,11 +340,14 @@ std::string CellRun::heat_on_body() const {
     const bool traced = !caches_.machines.empty() && runner.table_allocator().base() && of_one_body;
     if (!verified() || !shared_ || !row_.axes.empty() || !traced || !shows_heat(cell_.type(), row_.vertices))
         return {};
-    bench::FeatureHeat heat(runner.memory_maps());
-    static_cast<void>(runner.trace(caches_.queries > 0 ? bench::TraceExtent(caches_.queries, caches_.steps)
-                                                       : bench::TraceExtent::everything(),
-                                   heat));
-    return heat_json(heat);
+    const std::vector<bench::TableMap> maps = runner.memory_maps();
+    const bench::TraceExtent extent = caches_.queries > 0 ? bench::TraceExtent(caches_.queries, caches_.steps)
+                                                          : bench::TraceExtent::everything();
+    bench::FeatureHeat heat(maps);
+    bench::WalkTrace walk(row_.algorithm, runner.stored_bodies(), cell_.workload(), extent.counted);
+    measure::TraceFanOut both({&heat, &walk});
+    static_cast<void>(runner.trace(extent, both));
+    return heat_json(heat, walk.walk(maps));
 }
 
 void CellRun::hold_against_answers(const bench::PassSum& sum, std::string_view probe) {

@@ -14,6 +14,7 @@
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
+#include "edgewise/bench/trace/walk.hpp"
 #include "edgewise/measure/answer_counts.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
@@ -135,8 +136,11 @@ void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(
 [[nodiscard]] std::string body_json(const Polyhedron& body);
 
 /// {"queries": n, "vertices": [reads, ...], "edges": ..., "faces": ...}, in the body's order; null for a kind
-/// of feature that has no bytes of its own in the layout.
-[[nodiscard]] std::string heat_json(const bench::FeatureHeat& heat);
+/// of feature that has no bytes of its own in the layout. "walk" is one query of the scene
+/// (bench/trace/walk.hpp):
+/// {"query": n, "tables": [lines, ...], "steps": [{"state", "a": [vertex, ...], "b": ..., "lines": [line,
+/// ...]}]}, or null.
+[[nodiscard]] std::string heat_json(const bench::FeatureHeat& heat, const std::optional<bench::Walk>& walk);
 
 /// Returns true if a picture of the body can show the heat of this table type: it numbers features as the
 /// body does, it is the layout's type in double precision, and the body has few enough vertices.
