@@ -133,12 +133,14 @@ const std::vector<const ReportCell*>* chosen_shape(const ByShape& shapes, const 
             })->second;
 }
 
-/// Returns the file of the recording that the cell's scene replays; empty for other scenes.
-std::string recording_of(const ReportData& data, const ReportCell& cell) {
+/// Returns the option of `edgewise advise` for the cell's body: its name or file, or the recording that has
+/// it.
+std::string body_option_of(const ReportData& data, const ReportCell& cell) {
     for (const auto& [name, text] : data.scene_files)
         if (name == cell.scene && scene_kind(cell) == "recorded")
-            return input::json_or_null(text).value("recording", "");
-    return {};
+            return " --scene " + input::json_or_null(text).value("recording", "");
+    const std::string source = cell.shape_source.substr(0, cell.shape_source.find(", "));
+    return " --shape " + (source == "built-in" ? cell.shape : source);
 }
 
 CellCounts counts_of(const ReportData& data) {
@@ -192,10 +194,7 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
         const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
         if (!cells) continue;
         const ReportCell& any = *cells->front();
-        if (any.shape == answer.shape) {
-            answer.source = any.shape_source.substr(0, any.shape_source.find(", "));
-            answer.recording = recording_of(data, any);
-        }
+        if (any.shape == answer.shape) answer.body_option = body_option_of(data, any);
         SceneRanking scene = rank_scene(*cells, question.error_limit, answer.baseline);
         if (!scene.cells.empty()) scenes.push_back(std::move(scene));
     }

@@ -58,8 +58,7 @@ struct CellCounts {
 struct Answer {
     Question question;
     std::string shape;          ///< the one asked for, or the reference shape
-    std::string source;         ///< of that shape: "built-in", or the mesh file's name
-    std::string recording;      ///< the file of recorded motion that has that shape; else empty
+    std::string body_option;    ///< names it to `edgewise advise`: " --shape box8", " --scene heap.jsonl"
     std::int64_t vertices = 0;  ///< of that shape
     Baseline baseline;
     std::vector<SceneRanking> shared;  ///< scenes with one shared table, in the order of the cells

@@ -311,16 +311,7 @@ AnswerJson ranked_json(const RankedCell& cell) {
 
 std::string measuring_command(const Answer& answer, std::optional<bool> own_tables) {
     if (!own_tables) own_tables = answer.question.own_tables;
-    if (!answer.recording.empty()) {
-        const std::string sweep = "edgewise sweep --layouts all --scenes ";
-        if (!own_tables.value_or(false)) return sweep + answer.recording;
-        const AnswerJson file = {
-            {"scene", "recorded"}, {"recording", answer.recording}, {"parameters", {{"own_tables", 1}}}};
-        return sweep + "own_tables.json, a file with " + file.dump();
-    }
-    std::string command = "edgewise advise";
-    if (!answer.source.empty())
-        command += " --shape " + (answer.source == "built-in" ? answer.shape : answer.source);
+    std::string command = "edgewise advise" + answer.body_option;
     if (own_tables) command += *own_tables ? " --own-tables" : " --shared-tables";
     return command + " --error " + limit_text(answer.question.error_limit);
 }

@@ -70,9 +70,8 @@ struct AnswerText {
 /// Returns algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
 [[nodiscard]] nlohmann::json ranked_json(const RankedCell& cell);
 
-/// Returns the command that measures what this question asks for; for one kind of tables if `own_tables` is
-/// given. It is `edgewise advise`, or, because that takes no recordings, a sweep of the recording with all
-/// layouts.
+/// Returns the `edgewise advise` that measures what this question asks for; for one kind of tables if
+/// `own_tables` is given.
 [[nodiscard]] std::string measuring_command(const Answer& answer, std::optional<bool> own_tables = {});
 
 }  // namespace edgewise::reports

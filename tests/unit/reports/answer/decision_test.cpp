@@ -127,7 +127,6 @@ TEST(Decision, NearContactChangesItWhereAnotherCellWinsThere) {
     EXPECT_EQ(answer_of_scenes(other, {}).shared.size(), 1U) << "near contact has no vote of its own";
 }
 
-/// `edgewise advise` takes no recordings.
 TEST(Decision, SaysHowToMeasureMoreOfARecording) {
     ReportData data;
     add_decided(data, {decided_paper, decided_points}, R"({"rate":60})", "heap");
@@ -135,12 +134,10 @@ TEST(Decision, SaysHowToMeasureMoreOfARecording) {
         cell.scene = "heap", cell.scene_kind = "recorded", cell.shape_source = "9 bodies, recorded (0a)";
     data.scene_files = {{"heap", R"({"recording":"heap.jsonl.gz","scene":"recorded"})"}};
     EXPECT_THAT(shared_decision(data).text(),
-                HasSubstr("measure more with: edgewise sweep --layouts all --scenes heap.jsonl.gz"));
+                HasSubstr("measure more with: edgewise advise --scene heap.jsonl.gz --shared-tables"));
     EXPECT_THAT(
         decision_of(answer_of_scenes(data, {}), true).text(),
-        HasSubstr(
-            R"(not measured; measure it with: edgewise sweep --layouts all --scenes own_tables.json, a file with )"
-            R"({"parameters":{"own_tables":1},"recording":"heap.jsonl.gz","scene":"recorded"})"));
+        HasSubstr("not measured; measure it with: edgewise advise --scene heap.jsonl.gz --own-tables"));
 }
 
 /// Every number of the sentence is one that a reader has to hold in mind.
