@@ -140,7 +140,7 @@ std::string body_option_of(const ReportData& data, const ReportCell& cell) {
         if (name == cell.scene && scene_kind(cell) == "recorded")
             return " --scene " + input::json_or_null(text).value("recording", "");
     const std::string source = cell.shape_source.substr(0, cell.shape_source.find(", "));
-    return " --shape " + (source == "built-in" ? cell.shape : source);
+    return " --shape " + (source.empty() || source == "built-in" ? cell.shape : source);
 }
 
 CellCounts counts_of(const ReportData& data) {
@@ -202,6 +202,8 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     for (SceneRanking& scene : scenes) {
         const bool near = is_near_contact(*scene.cells.front().cell);
         if (!near && scene.own_tables != question.own_tables.value_or(scene.own_tables)) continue;
+        const double bodies = parameter_of(*scene.cells.front().cell, "bodies").value_or(0);
+        if (scene.own_tables && question.bodies.value_or(bodies) != bodies) continue;
         if (scene.shape == answer.shape) answer.vertices = scene.vertices;
         (near ? answer.near : scene.own_tables ? answer.own : answer.shared).push_back(std::move(scene));
     }

@@ -208,8 +208,8 @@ std::string scene_bytes_text(const RankedCell& cell) {
 }
 
 std::string size_text(double bytes) {
-    if (bytes >= mebibyte) return number_text(std::round(bytes / mebibyte * 10) / 10) + " MiB";
-    if (bytes >= kibibyte) return number_text(std::round(bytes / kibibyte * 10) / 10) + " KiB";
+    if (bytes >= mebibyte) return number_text(bytes / mebibyte) + " MiB";
+    if (bytes >= kibibyte) return number_text(bytes / kibibyte) + " KiB";
     return number_text(bytes, "B") + " B";
 }
 

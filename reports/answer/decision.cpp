@@ -233,8 +233,10 @@ Decisions::Decisions(const ReportData& data, const Question& question) {
     limits.push_back(question.error_limit);
     for (const double limit : limits)
         if (!by_limit_.contains(limit))
-            by_limit_[limit] = decision_rows(
-                data, {.error_limit = limit, .shape = question.shape, .own_tables = question.own_tables});
+            by_limit_[limit] = decision_rows(data, {.error_limit = limit,
+                                                    .shape = question.shape,
+                                                    .own_tables = question.own_tables,
+                                                    .bodies = question.bodies});
     if (data.meta_value("plan") == "quick") not_measured_.push_back(prose("not_in_contest.md"));
 }
 

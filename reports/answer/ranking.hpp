@@ -40,6 +40,7 @@ struct Question {
     double error_limit = 1e-6;  ///< largest allowed error of a distance, over the scale of the pair
     std::optional<std::string> shape = {};  ///< null: each scene's reference shape
     std::optional<bool> own_tables = {};    ///< a table for each body, or one for all; null: both
+    std::optional<double> bodies = {};      ///< number of bodies with a table each; null: any
 };
 
 /// A time over the baseline's, with its interval.

@@ -272,6 +272,9 @@ std::string bodies_data(const HeatOnBodies& heat) {
         heats.push_back({{"title", one.title()},
                          {"said", one.sentence()},
                          {"shape", one.cell->shape},
+                         {"scene", one.cell->scene_label},
+                         {"algorithm", one.cell->algorithm},
+                         {"precision", one.cell->precision},
                          {"vertices", reads_json(one.vertices)},
                          {"edges", reads_json(one.edges)},
                          {"faces", reads_json(one.faces)}});

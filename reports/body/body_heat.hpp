@@ -74,8 +74,8 @@ inline constexpr double body_size = 420;
 [[nodiscard]] std::string body_svg(const HeatBody& body, const BodyHeat& heat);
 
 /// Returns the bodies and their heats as JSON for the script: {"bodies": {shape: {"vertices", "edges",
-/// "faces"}}, "heats": [{"title", "said", "shape", "vertices", "edges", "faces"}], "walks": a list of
-/// BodyWalk}.
+/// "faces"}}, "heats": [{"title", "said", "shape", "scene", "algorithm", "precision", "vertices", "edges",
+/// "faces"}], "walks": a list of BodyWalk}.
 [[nodiscard]] std::string bodies_data(const HeatOnBodies& heat);
 
 }  // namespace edgewise::reports

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "edgewise/input/json_text.hpp"
@@ -79,11 +80,12 @@ std::string tie_set_html(const std::string& text) {
 
 std::string row_html(const SceneRanking& scene, const StripAxis& axis, const std::string& shape) {
     const AnswerRow row = row_of(scene);
-    std::string html =
-        fmt::format("<tr class=\"{}\"><th scope=\"row\">{}<br><small>{}{}</small></th><td><b>{}</b>{}</td>",
-                    scene.own_tables ? "own" : "shared", html_text(scene.label), html_text(scene.sentence),
-                    scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take),
-                    tie_set_html(row.tie_set));
+    std::string html = fmt::format(
+        "<tr class=\"{0}\" data-scene=\"{1}\"><th scope=\"row\">{1}<br><small>{2}{3}</small></th>"
+        "<td><b>{4}</b>{5}</td>",
+        scene.own_tables ? "own" : "shared", html_text(scene.label), html_text(scene.sentence),
+        scene.shape == shape ? "" : html_text("; " + scene.shape), html_text(row.take),
+        tie_set_html(row.tie_set));
     html += fmt::format(
         "<td class=\"strips\">{}<span class=\"ratio\" data-title=\"time / paper's\">{}</span></td>",
         strip_svg(scene, axis), html_text(row.ratio));
@@ -171,19 +173,42 @@ std::string provenance(const Answer& answer, const ReportData& data) {
                        runs_text(answer.runs));
 }
 
-/// Hidden until the scripts run: without them it could not answer.
+/// Returns the options for the scenes, each with its tables and number of bodies.
+std::string scene_options(const ReportData& data) {
+    std::string options = html_option("", "all", true);
+    const std::vector<const ReportCell*> cells = data.swept();
+    for (const std::string& label : scene_labels(data)) {
+        const ReportCell& cell = **std::ranges::find(cells, label, &ReportCell::scene_label);
+        options += fmt::format("<option value=\"{0}\" data-tables=\"{1}\" data-bodies=\"{2}\">{0}</option>",
+                               html_text(label), has_own_tables(cell) ? "own" : "shared",
+                               parameter_of(cell, "bodies").value_or(0));
+    }
+    return options;
+}
+
+/// The page's one bar: the question, and what charts and tables show. Only shown where scripts run.
 std::string question_bar(const Answer& answer, const ReportData& data) {
-    std::string shapes = html_option("", "all", true), limits;
+    const std::string all = html_option("", "all", true);
+    std::string shapes = all, limits, algorithms = all, precisions = all;
+    std::set<std::string> of_algorithms, of_precisions;
+    for (const ReportCell* cell : data.swept())
+        of_algorithms.insert(cell->algorithm), of_precisions.insert(cell->precision);
     for (const auto& [vertices, shape] : shapes_by_vertices(data))
         shapes += html_option(shape, fmt::format("{} ({})", vertices, shape));
     for (const double limit : offered_limits)
         limits += html_option(limit_text(limit), limit_text(limit), limit == answer.question.error_limit);
+    for (const std::string& name : of_algorithms) algorithms += html_option(name, algorithm_title(name));
+    for (const std::string& name : of_precisions) precisions += html_option(name, name);
     const std::string tables =
         html_option("both", "either", true) + html_option("own", "yes") + html_option("shared", "no");
     return fmt::format(fmt::runtime(report_text("page.question.html")),
                        fmt::arg("shape", html_select("ask-shape", "body", shapes)),
                        fmt::arg("tables", html_select("ask-tables", "a table each", tables)),
-                       fmt::arg("limit", html_select("ask-limit", "error at most", limits)));
+                       fmt::arg("limit", html_select("ask-limit", "error at most", limits)),
+                       fmt::arg("scene", html_select("ask-scene", "scene", scene_options(data))),
+                       fmt::arg("algorithm", html_select("ask-algorithm", "algorithm", algorithms)),
+                       fmt::arg("precision", html_select("ask-precision", "precision", precisions)),
+                       fmt::arg("command", html_text(measuring_command(answer))));
 }
 
 /// Returns one picture for each group of scenes: that of its first scene with a cell on the front.
@@ -250,27 +275,52 @@ std::string first_screen_html(const Answer& answer, const ReportData& data) {
     return html + html_heading("passed", "What passed") + html_list(what_passed(answer), "passed");
 }
 
+namespace {
+
+/// Returns the questions on tables that the bar offers: both kinds, shared ones, a table each; and both kinds
+/// and a table each for every number of bodies that was measured, and for none of them (0).
+std::vector<Question> offered_questions(const ReportData& data) {
+    std::set<double> bodies_measured = {0};
+    for (const ReportCell* cell : data.swept())
+        if (has_own_tables(*cell)) bodies_measured.insert(parameter_of(*cell, "bodies").value_or(0));
+    std::vector<Question> questions = {{}, {.own_tables = false}, {.own_tables = true}};
+    for (const double bodies : bodies_measured)
+        questions.push_back({.bodies = bodies}), questions.push_back({.own_tables = true, .bodies = bodies});
+    return questions;
+}
+
+std::string question_key(const std::string& shape, const Question& question) {
+    const auto& [tables, own] =
+        *std::ranges::find(offered_tables, question.own_tables, [](const auto& of) { return of.second; });
+    const std::string bodies = question.bodies ? fmt::format("{}", *question.bodies) : "";
+    return fmt::format("{} {} {} {}", shape, limit_text(question.error_limit), tables, bodies);
+}
+
+}  // namespace
+
 std::string answers_data(const ReportData& data) {
-    const Decisions decisions(data);
     nlohmann::ordered_json answers = nlohmann::ordered_json::object(),
                            lines = nlohmann::ordered_json::array();
     std::map<std::string, std::size_t> places;  // of the lines: most are in several answers
     std::vector<std::string> shapes = {""};
     for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
-    for (const std::string& shape : shapes) {
-        for (const double limit : offered_limits) {
-            Question question{.error_limit = limit};
+    for (Question question : offered_questions(data)) {
+        const Decisions decisions(data, question);
+        for (const std::string& shape : shapes) {
             if (!shape.empty()) question.shape = shape;
-            const Answer answer = answer_of_scenes(data, question);
-            nlohmann::ordered_json html = nlohmann::ordered_json::array();
-            std::istringstream text(answer_html(answer, decisions.table(limit, shape), data));
-            for (std::string line; std::getline(text, line);) {
-                const auto [at, is_new] = places.emplace(line, lines.size());
-                if (is_new) lines.push_back(line);
-                html.push_back(at->second);
+            for (const double limit : offered_limits) {
+                question.error_limit = limit;
+                const Answer answer = answer_of_scenes(data, question);
+                nlohmann::ordered_json html = nlohmann::ordered_json::array();
+                std::istringstream text(answer_html(answer, decisions.table(limit, shape), data));
+                for (std::string line; std::getline(text, line);) {
+                    const auto [at, is_new] = places.emplace(line, lines.size());
+                    if (is_new) lines.push_back(line);
+                    html.push_back(at->second);
+                }
+                answers[question_key(shape, question)] = {
+                    {"title", title_of(limit)}, {"command", measuring_command(answer)}, {"html", html}};
             }
-            answers[shape + " " + limit_text(limit)] = {
-                {"title", title_of(limit)}, {"command", measuring_command(answer)}, {"html", html}};
         }
     }
     return input::json_text(nlohmann::ordered_json{{"lines", lines}, {"answers", answers}});

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,7 +31,9 @@ std::string html_heading(const std::string& id, const std::string& text) {
 std::string html_list(const std::vector<std::string>& items, const std::string& style) {
     if (items.empty()) return {};
     std::string out = "<ul class=\"" + style + "\">\n";
-    for (const std::string& item : items) out += "<li>" + html_text(item) + "</li>\n";
+    static const std::regex code("`([^`]*)`");
+    for (const std::string& item : items)
+        out += "<li>" + std::regex_replace(html_text(item), code, "<code>$1</code>") + "</li>\n";
     return out + "</ul>\n";
 }
 

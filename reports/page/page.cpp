@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "edgewise/input/json_text.hpp"
@@ -35,7 +36,13 @@ class ChapterWriter {
     ChapterWriter(const std::vector<Chart>& charts, const StaticPictures& pictures, const Glossary& glossary)
         : charts_(charts), pictures_(pictures), glossary_(glossary) {}
 
+    /// A chapter without contents is a line that opens to why.
     std::string chapter(const Chapter& chapter) {
+        if (chapter.blocks.empty() && chapter.sentence.empty())
+            return fmt::format(
+                "<section><details class=\"empty\"><summary><h2 id=\"{}\">{}</h2> not measured</summary>\n{}"
+                "</details></section>\n",
+                chapter.id, html_text(chapter.title), paragraph(chapter.paragraph));
         std::string out = "<section>\n" + html_heading(chapter.id, chapter.title);
         if (!chapter.sentence.empty()) out += paragraph(chapter.sentence, "sentence");
         for (const ChapterBlock& block : chapter.blocks) out += this->block(block);
@@ -103,12 +110,35 @@ class ChapterWriter {
         const auto still = pictures_.still.find(chart.name);
         out += fmt::format(
             "<div class=\"chart\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\"><div "
-            "id=\"chart-{1}\" data-chart=\"{1}\" data-label=\"{0}\">\n{2}</div></div>\n",
-            html_text(chart.title), html_text(chart.name),
+            "id=\"chart-{1}\" data-chart=\"{1}\" data-label=\"{0}\"{2}>\n{3}</div></div>\n",
+            html_text(chart.title), html_text(chart.name), room_for(chart),
             still != pictures_.still.end() ? still->second : grid_html(chart.fallback, 6));
-        out += paragraph(chart.how_to_read, "note");
+        out += shown_first(chart.spec) + paragraph(chart.how_to_read, "note");
         for (const std::string& note : chart.notes) out += html_paragraph(note, "note");
         return out;
+    }
+
+    /// Returns the style that keeps the room which the script's picture takes, so that nothing moves when it
+    /// comes.
+    [[nodiscard]] std::string room_for(const Chart& chart) const {
+        const auto svg = pictures_.svg.find(chart.name);
+        std::smatch height;
+        if (svg == pictures_.svg.end() ||
+            !std::regex_search(svg->second, height, std::regex(" height=\"(\\d+)")))
+            return {};
+        constexpr int choice_height = 34;
+        const bool choice = chart.spec.dump().find("\"shown_error\"") != std::string::npos;
+        return fmt::format(" style=\"min-height:{}px\"", std::stoi(height[1]) + choice * choice_height);
+    }
+
+    /// Says which body or scene a chart of one shows before the bar chooses another.
+    static std::string shown_first(const ChartJson& spec) {
+        std::string shown;
+        for (const ChartJson& param : spec.value("params", ChartJson::array()))
+            if (const std::string name = param.value("name", "");
+                name == "shown_shape" || name == "shown_scene")
+                append(shown, param.value("value", ""));
+        return shown.empty() ? shown : html_paragraph("Shown: " + shown + ".", "note shown");
     }
 
     const std::vector<Chart>& charts_;
@@ -125,26 +155,6 @@ std::string contents(const std::vector<Chapter>& chapters) {
         out += fmt::format("<a href=\"#{}\">{}</a>", chapter.id,
                            html_text(chapter.link.empty() ? chapter.title : chapter.link));
     return out + "<a href=\"#cells\">All cells</a></nav>\n";
-}
-
-/// The bar over the chapters, by which their charts and tables show one scene, body, algorithm or precision.
-/// Hidden until the scripts run.
-std::string filter_bar_html(const ReportData& data) {
-    const std::string all = html_option("", "all", true);
-    std::string scenes = all, shapes = all, algorithms = all, precisions = all;
-    std::set<std::string> of_algorithms, of_precisions;
-    for (const ReportCell* cell : data.swept())
-        of_algorithms.insert(cell->algorithm), of_precisions.insert(cell->precision);
-    for (const std::string& label : scene_labels(data)) scenes += html_option(label, label);
-    for (const auto& [vertices, shape] : shapes_by_vertices(data))
-        shapes += html_option(shape, fmt::format("{} ({})", vertices, shape));
-    for (const std::string& name : of_algorithms) algorithms += html_option(name, algorithm_title(name));
-    for (const std::string& name : of_precisions) precisions += html_option(name, name);
-    return fmt::format(fmt::runtime(report_text("page.filter.html")),
-                       fmt::arg("scene", html_select("filter-scene", "scene", scenes)),
-                       fmt::arg("shape", html_select("filter-shape", "vertices", shapes)),
-                       fmt::arg("algorithm", html_select("filter-algorithm", "algorithm", algorithms)),
-                       fmt::arg("precision", html_select("filter-precision", "precision", precisions)));
 }
 
 std::string cells_html(const ReportData& data) {
@@ -174,16 +184,16 @@ std::string page_html(const ReportData& data, const Answer& answer, const std::v
                       const std::string& bundles) {
     const Glossary glossary(data);
     ChapterWriter writer(charts, pictures, glossary);
-    std::string out = first_screen_html(answer, data) + contents(chapters) + filter_bar_html(data);
+    std::string out = first_screen_html(answer, data) + contents(chapters);
     if (bundles.empty()) out += html_paragraph(prose("no_bundles.md"), "verdict part");
     if (!pictures.note.empty()) out += html_paragraph(pictures.note, "note");
     for (const Chapter& chapter : chapters) out += writer.chapter(chapter);
     out += cells_html(data);
-    const std::string packed = packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) +
-                               writer.packed() + packed_element("cells", cells_data(data)) +
-                               packed_element("answers", answers_data(data)) +
-                               packed_element("maps", break_even_data(data)) +
-                               packed_element("bodies", bodies_data(heat_on_bodies(data))) + bundles;
+    const std::string packed =
+        packed_element("charts", bundles.empty() ? "{}" : charts_data(charts)) + writer.packed() +
+        packed_element("cells", cells_data(data)) + packed_element("answers", answers_data(data)) +
+        packed_element("maps", break_even_data(data)) + packed_element("statements", statements_data(data)) +
+        packed_element("bodies", bodies_data(heat_on_bodies(data))) + bundles;
     return fmt::format(fmt::runtime(report_text("page.html")), fmt::arg("hashes", script_hashes()),
                        fmt::arg("style", report_text("page.css")), fmt::arg("chapters", out),
                        fmt::arg("scripts", packed + script_elements()));

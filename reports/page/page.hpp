@@ -86,9 +86,10 @@ inline constexpr std::size_t most_answer_rows = 12;
 /// Returns title, question bar, decision table, counts and provenance.
 [[nodiscard]] std::string first_screen_html(const Answer& answer, const ReportData& data);
 
-/// The answers to the questions that the bar offers, as JSON: {"lines": [...], "answers": {"SHAPE LIMIT":
-/// {"title", "command", "html"}}}. SHAPE is empty for all bodies; "html" has places in "lines", because most
-/// lines are in several answers.
+/// The answers to the questions that the bar offers, as JSON: {"lines": [...], "answers": {"SHAPE LIMIT
+/// TABLES BODIES": {"title", "command", "html"}}}. SHAPE is empty for all bodies, TABLES is both, own or
+/// shared, BODIES is empty for any number, and 0 for a number that was not measured; "html" has places in
+/// "lines", because most lines are in several answers.
 [[nodiscard]] std::string answers_data(const ReportData& data);
 
 }  // namespace edgewise::reports

@@ -2,16 +2,18 @@
 //
 // Which machines and levels there are is read off the figures' names:
 // MACHINE.LEVEL.WHAT, or MACHINE/POLICY.LEVEL.WHAT. Whether a ranking of tables by modelled misses depends on
-// the replacement policy: true LRU is an approximation of what processors do, tree-PLRU and random
-// replacement bound what it may hide.
+// the replacement policy or on prefetching: true LRU without prefetching is an approximation of what
+// processors do; tree-PLRU, random replacement and two prefetchers bound what it may hide.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
+#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 
@@ -119,6 +121,53 @@ std::vector<std::string> modelled_machines(const ReportData& data) {
     return {found.begin(), found.end()};
 }
 
+namespace {
+
+constexpr const char* this_machine = "host";
+
+/// Returns ns beyond a load that the first level answers, for each further level and for memory, of the
+/// machine that measured the store; empty if it did not measure them.
+std::vector<double> latencies_of(const ReportData& data) {
+    const auto json = input::json_or_null(data.meta_value("latencies_ns " + data.build.id).value_or(""));
+    std::vector<double> latencies;
+    for (const auto& ns : json)
+        if (ns.is_number()) latencies.push_back(ns.get<double>());
+    return latencies;
+}
+
+/// Returns what a query's misses of this machine's levels wait for, each for the level that answers it.
+std::optional<double> waiting_ns(const ReportCell& cell, const std::vector<std::string>& levels,
+                                 const std::vector<double>& latencies, bool warm) {
+    double ns = 0, deeper = 0;
+    for (std::size_t i = latencies.size(); i-- > 0;) {
+        const store::StartNames misses = store::level_misses.of(this_machine, levels[i]);
+        const auto missed = cell.figure(warm ? misses.warm() : misses.all).value;
+        if (!missed) return std::nullopt;
+        ns += (*missed - deeper) * latencies[i], deeper = *missed;
+    }
+    return ns;
+}
+
+/// Fills the last two columns, the memory time of all queries and of warm ones, from this machine's
+/// latencies.
+void add_waiting(const ReportData& data, const std::vector<std::string>& levels, TextGrid& grid) {
+    const std::vector<double> latencies = latencies_of(data);
+    if (latencies.empty() || latencies.size() > levels.size()) return;
+    const std::vector<const ReportCell*> cells = modelled_cells(data);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (const bool warm : {false, true})
+            if (const auto ns = waiting_ns(*cells[i], levels, latencies, warm))
+                *(grid.rows[i].end() - 2 + warm) = grid_cell(number_text(*ns));
+    }
+    std::string costs;
+    for (std::size_t i = 0; i < latencies.size(); ++i)
+        append(costs, fmt::format("{} ns in {}", number_text(latencies[i]),
+                                  i + 1 < latencies.size() ? levels[i + 1] : "memory"));
+    grid.caption += "; a load that L1D does not answer waits, measured on this machine, " + costs;
+}
+
+}  // namespace
+
 TextGrid misses_grid(const ReportData& data, const std::string& only) {
     std::map<std::string, std::vector<std::string>> levels;
     for (const std::string& machine : modelled_machines(data))
@@ -131,12 +180,14 @@ TextGrid misses_grid(const ReportData& data, const std::string& only) {
         columns.push_back({machine + " memory, ns", store::memory_time.all.of(machine)});
         columns.push_back({machine + " memory, ns (warm starts)", store::memory_time.of(machine).warm()});
     }
-    return cache_grid(
-        data,
-        "Misses per query in the steady pass, by machine and level, of all queries, a pair's cold "
-        "first one too; memory time is a "
-        "model, with * one of latencies that no source proves",
-        columns);
+    TextGrid grid =
+        cache_grid(data,
+                   "Misses per query in the steady pass, by machine and level, of all queries, a pair's cold "
+                   "first one too; memory time is a "
+                   "model, with * one of latencies that no source proves",
+                   columns);
+    if (only == this_machine) add_waiting(data, levels[only], grid);
+    return grid;
 }
 
 TextGrid causes_grid(const ReportData& data, const std::string& machine) {
@@ -222,7 +273,7 @@ PolicyCounts policy_counts(const ReportData& data) {
 
 TextGrid policy_grid(const ReportData& data) {
     TextGrid grid{
-        "Does the replacement policy change the ranking by misses? (LRU first)",
+        "Does a replacement policy or a prefetcher change the ranking by misses? (LRU without prefetching first)",
         columns_of("scene|shape|algorithm|machine and policy|level|#pairs of tables|#in another order|"
                    "ranking changes|first example (misses under LRU, under the policy)")};
     using Group = std::tuple<std::string, std::string, std::string, std::string, std::string>;

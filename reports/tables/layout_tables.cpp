@@ -110,9 +110,9 @@ const FigureColumn layout_cost_columns[] = {
     {"materialised", "memory.materialised", 1, 3}};
 
 const FigureColumn scene_memory_columns[] = {{"tables", "memory.tables", 1, 0},
-                                             {"asked for, MiB", "memory.requested_bytes", mebibyte, 2},
-                                             {"taken, MiB", "memory.taken_bytes", mebibyte, 2},
-                                             {"resident, MiB", "memory.resident_bytes", mebibyte, 2},
+                                             {"asked for, MiB", "memory.requested_bytes", mebibyte},
+                                             {"taken, MiB", "memory.taken_bytes", mebibyte},
+                                             {"resident, MiB", "memory.resident_bytes", mebibyte},
                                              {"ns per query", "time.separated_ns", 1, 0},
                                              {"ratio to baseline", "time.separated_ratio", 1, 3}};
 

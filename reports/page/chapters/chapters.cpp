@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -60,15 +62,6 @@ Chapter body_chapter(const Answer&, const ReportData& data) {
 }
 
 namespace {
-
-/// The first reason for a count that is missing.
-std::string why_not_counted(const ReportData& data) {
-    for (const ReportCell* cell : verified_cells(data)) {
-        const measure::Figure figure = cell->figure("counters.instructions");
-        if (!figure.value) return " Not counted here: " + figure.reason + ".";
-    }
-    return {};
-}
 
 std::string all_rows(const TextGrid& grid, const std::string& what) {
     return fmt::format("{} ({})", what, plural(grid.rows.size(), "row"));
@@ -130,20 +123,49 @@ std::string shown_machine(const std::vector<std::string>& machines) {
     return host ? "host" : machines.front();
 }
 
-Chapter caches_chapter(const Answer&, const ReportData& data) {
+/// From how many bodies with a table each the layout to take is faster than the paper's: a bracket of
+/// measured numbers of bodies, with the ratios there; empty if none was measured.
+std::string many_tables_sentence(const Answer& answer) {
+    const std::optional<Recommendation> take = recommendation_of(answer.own);
+    if (!take) return {};
+    std::map<double, const RankedCell*> by_bodies;
+    for (const SceneRanking& scene : answer.own)
+        if (const RankedCell* cell = scene.find(take->algorithm, take->table))
+            by_bodies[parameter_of(*cell->cell, "bodies").value_or(0)] = cell;
+    std::string slower,
+        faster;  // with the most bodies where it is not faster, and the fewest from which on it is
+    for (const auto& [bodies, cell] : by_bodies) {
+        const std::string at = fmt::format("{} of its time with {} bodies", ratio_text(*cell), bodies);
+        if (cell->high() >= 1)
+            slower = at, faster.clear();
+        else if (faster.empty())
+            faster = at;
+    }
+    return fmt::format("With a table each, {} {}: {}{}{}.", take->example().name(),
+                       faster.empty() ? "is not faster than the paper's layout"
+                       : slower.empty()
+                           ? "is faster than the paper's layout from the fewest bodies measured on"
+                           : "becomes faster than the paper's layout between numbers measured",
+                       slower, slower.empty() || faster.empty() ? "" : ", ", faster);
+}
+
+Chapter caches_chapter(const Answer& answer, const ReportData& data) {
     const bool modelled = !modelled_cells(data).empty();
     Chapter chapter{.id = "caches",
                     .title = "What does a miss cost me, and from how many bodies on?",
                     .paragraph = prose(modelled ? "caches.md" : "no_caches.md"),
                     .link = "Misses",
-                    .sentence = misses_sentence(data)};
+                    .sentence = many_tables_sentence(answer)};
+    if (chapter.sentence.empty()) chapter.sentence = misses_sentence(data);
     if (!modelled) return chapter;
     const std::vector<std::string> machines = modelled_machines(data);
     if (machines.empty()) return chapter;
-    chapter.blocks = {{.section = "misses", .grids = {misses_grid(data, shown_machine(machines))}},
-                      {.paragraph = policy_sentence(data)},
-                      folded(working_sets_grid(data), "Working sets, knees, and what was ever touched"),
-                      folded(policy_grid(data), "Rankings under other replacement policies")};
+    chapter.blocks = {
+        {.paragraph = misses_sentence(data)},
+        {.section = "misses", .grids = {misses_grid(data, shown_machine(machines))}},
+        {.paragraph = policy_sentence(data)},
+        folded(working_sets_grid(data), "Working sets, knees, and what was ever touched"),
+        folded(policy_grid(data), "Rankings under other replacement policies, and with prefetchers")};
     for (const std::string& machine : machines) {
         ChapterBlock block{.grids = {misses_grid(data, machine), causes_grid(data, machine)},
                            .fold = machine + ": misses, why, what and where"};
@@ -158,9 +180,10 @@ Chapter caches_chapter(const Answer&, const ReportData& data) {
 Chapter counters_chapter(const Answer&, const ReportData& data) {
     return {.id = "counters",
             .title = "What did the processor and the kernel count?",
-            .paragraph = prose("counters.md") + why_not_counted(data),
+            .paragraph = prose("counters.md"),
             .blocks = {{.grids = {counters_grid(data)}}},
-            .link = "Counters"};
+            .link = "Counters",
+            .sentence = counters_sentence(data)};
 }
 
 Chapter times_chapter(const Answer& answer, const ReportData& data) {
@@ -223,7 +246,8 @@ Chapter errors_chapter(const Answer&, const ReportData& data) {
             .title = "How wrong are the answers?",
             .paragraph = prose("errors.md"),
             .blocks = {{.grids = {std::move(summary)}}, folded(error_grid(data), "Every cell")},
-            .link = "Errors"};
+            .link = "Errors",
+            .sentence = errors_sentence(data)};
 }
 
 Chapter stability_chapter(const Answer&, const ReportData& data) {
@@ -273,7 +297,7 @@ Chapter method_chapter(const Answer&, const ReportData& data) {
 
 Chapter words_chapter(const Answer&, const ReportData& data) {
     return {.id = "words",
-            .title = "What do the words mean, and what is each layout?",
+            .title = "Words, and each layout",
             .blocks = {{.elements = Glossary(data).list_html()}},
             .link = "Words"};
 }
@@ -307,13 +331,61 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
     return chapters;
 }
 
+ReportData part_of(const ReportData& data, const std::string& shape, std::optional<bool> own_tables) {
+    ReportData part;
+    part.meta = data.meta, part.build = data.build, part.scene_files = data.scene_files;
+    for (const auto cells : {&ReportData::cells, &ReportData::from_files})
+        for (const ReportCell& cell : data.*cells)
+            if ((shape.empty() || cell.shape == shape) &&
+                own_tables.value_or(has_own_tables(cell)) == has_own_tables(cell))
+                (part.*cells).push_back(cell);
+    return part;
+}
+
+namespace {
+
+/// Returns what a chapter states of a part of the data; or that it was not measured, and what measures it.
+std::string statement(const Chapter& chapter, const Answer& answer) {
+    if (!chapter.sentence.empty()) return chapter.sentence;
+    const bool modelled = chapter.id == "caches" || chapter.id == "body";
+    const std::string body = answer.question.shape ? answer.body_option : "";
+    return fmt::format("Not measured. This measures it: edgewise sweep{}{}{}", body,
+                       answer.question.own_tables.value_or(false) ? " --scenes pressure" : "",
+                       modelled ? " --caches all" : "");
+}
+
+}  // namespace
+
+std::string statements_data(const ReportData& data) {
+    nlohmann::ordered_json statements = nlohmann::ordered_json::object();
+    std::vector<std::string> shapes = {""};
+    for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
+    for (const std::string& shape : shapes) {
+        for (const auto& [tables, own] : offered_tables) {
+            if (shape.empty() && !own) continue;
+            const ReportData part = part_of(data, shape, own);
+            Question question{.own_tables = own};
+            if (!shape.empty()) question.shape = shape;
+            const Answer answer = answer_of_scenes(data, question);
+            auto& of_part = statements[shape + " " + tables];
+            for (const auto made : {fronts_chapter, bytes_chapter, caches_chapter, body_chapter,
+                                    times_chapter, layouts_chapter, errors_chapter, counters_chapter})
+                if (const Chapter chapter = made(answer, part);
+                    chapter.id != "body" || chapter.blocks.empty())
+                    of_part[chapter.id] = statement(chapter, answer);
+        }
+    }
+    return input::json_text(statements);
+}
+
 std::optional<Chapter> fields_chapter(const ReportData& data) {
     if (data.fields.empty()) return std::nullopt;
     Chapter chapter{.id = "fields",
                     .title = "Which fields travel together?",
-                    .paragraph = prose("fields.md") + field_verdict(data),
+                    .paragraph = prose("fields.md"),
                     .blocks = {{.grids = {field_advice_grid(data)}}},
-                    .link = "Fields"};
+                    .link = "Fields",
+                    .sentence = field_verdict(data).substr(1)};
     for (const ReportCell& row : data.fields) {
         if (!row.verified()) continue;
         chapter.blocks.push_back({.elements = "<div class=\"wide\">" + field_picture(row) + "</div>\n",

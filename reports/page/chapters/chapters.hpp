@@ -44,14 +44,29 @@ struct Chapter {
 
 [[nodiscard]] Chapter break_even_chapter(const Answer& answer, const ReportData& data);
 
-/// Returns the parts that depend on the error limit, as JSON: {"1e-6": html}, for the limits that the
-/// question bar offers.
+/// Returns the cells of one body and of one kind of tables; all bodies if `shape` is empty, both kinds if
+/// `own_tables` is null.
+inline constexpr std::pair<const char*, std::optional<bool>> offered_tables[] = {
+    {"both", std::nullopt}, {"own", true}, {"shared", false}};
+[[nodiscard]] ReportData part_of(const ReportData& data, const std::string& shape,
+                                 std::optional<bool> own_tables);
+
+/// Returns the maps for the bodies, limits and tables that the bar offers, as JSON: {"SHAPE LIMIT TABLES":
+/// html}, with names as in answers_data.
 [[nodiscard]] std::string break_even_data(const ReportData& data);
+
+/// Returns what chapters state of one body, of one kind of tables, or of both, as JSON: {"SHAPE TABLES": {id
+/// of the chapter: text}}. If nothing was measured, the text says so and has the command that measures it.
+[[nodiscard]] std::string statements_data(const ReportData& data);
 
 /// `other`: what the other store is called.
 [[nodiscard]] Chapter compare_chapter(const StoreComparison& comparison, double slack,
                                       const std::string& other);
 
+/// Number of checked answers, wrong verdicts, and the worst error of each precision.
+[[nodiscard]] std::string errors_sentence(const ReportData& data);
+/// Instructions per query of the baseline; or why they were not counted.
+[[nodiscard]] std::string counters_sentence(const ReportData& data);
 /// How much of the largest table is what, and what the smallest takes.
 [[nodiscard]] std::string bytes_sentence(const ReportData& data);
 /// Lines of a query and the cache below which a scene thrashes: of the baseline and of the fewest.

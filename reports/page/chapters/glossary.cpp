@@ -43,8 +43,10 @@ std::vector<Term> layout_terms(const ReportData& data) {
     for (const ReportCell* cell : data.swept()) used.insert(cell->layout);
     std::vector<Term> terms;
     for (const std::string& layout : used)
-        if (auto line = data.meta_value(store::layout_key + layout))
-            terms.push_back({layout, {}, std::move(*line), true});
+        if (auto line = data.meta_value(store::layout_key + layout)) {
+            const std::size_t end = std::min(line->find("; "), line->size());
+            terms.push_back({layout, {}, "stores " + line->replace(end, 2, "; derives "), true});
+        }
     return terms;
 }
 

@@ -128,8 +128,16 @@ Chapter break_even_chapter(const Answer& answer, const ReportData& data) {
 
 std::string break_even_data(const ReportData& data) {
     nlohmann::ordered_json maps = nlohmann::ordered_json::object();
-    for (const double limit : offered_limits)
-        maps[limit_text(limit)] = break_even_html(break_even_map(data, limit));
+    std::vector<std::string> shapes = {""};
+    for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
+    for (const std::string& shape : shapes) {
+        for (const auto& [tables, own] : offered_tables) {
+            const ReportData part = part_of(data, shape, own);
+            for (const double limit : offered_limits)
+                maps[fmt::format("{} {} {}", shape, limit_text(limit), tables)] =
+                    break_even_html(break_even_map(part, limit));
+        }
+    }
     return input::json_text(maps);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
@@ -64,6 +65,34 @@ double sum_of(const std::vector<ReportCell>& rows, const store::FigureName& name
 
 }  // namespace
 
+std::string errors_sentence(const ReportData& data) {
+    double checked = 0, wrong = 0;
+    std::map<std::string, double> worst;  // by precision
+    for (const ReportCell* cell : verified_cells(data)) {
+        checked += cell->figure("error.checked").value.value_or(0);
+        wrong += cell->figure("error.wrong_verdicts").value.value_or(0);
+        if (const auto error = cell->figure("error.worst_error_given").value)
+            worst[cell->precision] = std::max(worst[cell->precision], *error);
+    }
+    if (checked == 0) return {};
+    std::string errors;
+    for (const auto& [precision, error] : worst)
+        append(errors, fmt::format("{} in {}", number_text(error, "scale"), precision));
+    return fmt::format(
+        "Of {} checked answers {} have a wrong verdict; the worst error of a distance over the pair's scale is {}.",
+        checked, wrong, errors);
+}
+
+std::string counters_sentence(const ReportData& data) {
+    const std::vector<const ReportCell*> cells = verified_cells(data, reference_shape(data));
+    if (cells.empty()) return {};
+    const ReportCell& cell = cell_of(cells, {}) ? *cell_of(cells, {}) : *cells.front();
+    const measure::Figure counted = cell.figure("counters.instructions");
+    return counted.value ? fmt::format("In {}, {} retires {} instructions per query.", cell.scene_label,
+                                       full_name(cell), number_text(*counted.value))
+                         : "Instructions and misses were not counted: " + counted.reason + ".";
+}
+
 std::string bytes_sentence(const ReportData& data) {
     const std::string shape = reference_shape(data);
     std::vector<const ReportCell*> cells = verified_cells(data, shape);
@@ -111,7 +140,8 @@ std::string layouts_sentence(const ReportData& data) {
 }
 
 std::string times_sentence(const Answer& answer, const ReportData& data) {
-    for (const SceneRanking& scene : answer.shared) {
+    for (const SceneRanking* of : answer.scenes()) {
+        const SceneRanking& scene = *of;
         const RankedCell* baseline = scene.baseline();
         if (!baseline) continue;
         std::vector<const ReportCell*> cells = verified_cells(data, "", scene.label);
@@ -119,13 +149,16 @@ std::string times_sentence(const Answer& answer, const ReportData& data) {
             return cell->table != baseline->table || cell->algorithm != baseline->cell->algorithm ||
                    cell->shape_source != "built-in" || !cell->figure(store::all_time.ns).value;
         });
-        if (cells.size() < 2) continue;
+        if (cells.empty()) continue;
         const auto [small, large] = std::ranges::minmax_element(
             cells, [](const ReportCell* a, const ReportCell* b) { return a->vertices < b->vertices; });
-        return fmt::format("In {}, {} takes {} ns per query with {} vertices and {} with {}.", scene.label,
-                           baseline->name(), number_text(*(*small)->figure(store::all_time.ns).value),
-                           (*small)->vertices, number_text(*(*large)->figure(store::all_time.ns).value),
-                           (*large)->vertices);
+        const auto ns = [](const ReportCell& cell) {
+            return number_text(*cell.figure(store::all_time.ns).value);
+        };
+        std::string text = fmt::format("In {}, {} takes {} ns per query with {} vertices", scene.label,
+                                       baseline->name(), ns(**small), (*small)->vertices);
+        if (large != small) text += fmt::format(" and {} with {}", ns(**large), (*large)->vertices);
+        return text + ".";
     }
     return {};
 }
@@ -173,10 +206,17 @@ std::string peers_sentence(const Answer& answer) {
 std::string policy_sentence(const ReportData& data) {
     const PolicyCounts counts = policy_counts(data);
     if (counts.pairs == 0) return {};
-    return fmt::format(
-        "Under tree-PLRU or random replacement instead of LRU, {} of {} pairs of tables change "
-        "places by misses.",
-        counts.changed, counts.pairs);
+    std::size_t pairs = 0, changed = 0;  // under prefetchers
+    for (const auto& row : policy_grid(data).rows) {
+        if (!row[3].text.ends_with("/next_line") && !row[3].text.ends_with("/stream")) continue;
+        pairs += std::stoul(row[5].text), changed += std::stoul(row[6].text);
+    }
+    std::string text = fmt::format(
+        "Under tree-PLRU or random replacement instead of LRU, {} of {} pairs of tables change places by "
+        "misses",
+        counts.changed - changed, counts.pairs - pairs);
+    if (pairs > 0) text += fmt::format("; with a next-line or a stream prefetcher, {} of {}", changed, pairs);
+    return text + ".";
 }
 
 }  // namespace edgewise::reports

@@ -100,6 +100,21 @@ function startWalk() {
     step.addEventListener('input', showWalk);
 }
 
+// The bar's choices leave some heats; where they leave none, the chapter's statement says so.
+async function filterBody() {
+    const choice = document.getElementById('body-cell');
+    if (!choice) return;
+    const kept = (await unpackJson('bodies')).heats.map(keepsRow);
+    [...choice.options].forEach((option, i) => { option.disabled = option.hidden = !kept[i]; });
+    const place = kept[bodyView.shown] ? bodyView.shown : kept.indexOf(true);
+    document.getElementById('body-shown').hidden = place < 0;
+    const said = document.querySelector('section:has(> #body) > .sentence');
+    if (place < 0 && said?.hidden) said.hidden = false, said.textContent = 'Not measured of what the bar shows.';
+    if (place < 0 || place === bodyView.shown) return;
+    choice.value = place;
+    showHeat(place);
+}
+
 async function startBody() {
     const view = document.getElementById('body-view');
     if (!view) return;

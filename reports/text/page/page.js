@@ -55,7 +55,7 @@ function rowsOf(values) {
     });
 }
 
-// Anew whenever the bar over the chapters changes: only the last time counts.
+// Again whenever the bar changes: only the last time counts.
 async function drawChart(place) {
     const still = place.innerHTML, turn = place.turn = (place.turn ?? 0) + 1;
     delete place.dataset.drawn;
@@ -66,16 +66,19 @@ async function drawChart(place) {
         if (whole.data?.values?.columns) whole.data.values = rowsOf(whole.data.values);
         const spec = Array.isArray(whole.data?.values) ? filteredSpec(whole, whole.data.values) : whole;
         place.view?.finalize();
+        if (place.turn > 1) place.style.minHeight = '';
         if (!spec) {
-            place.replaceChildren(element('p', 'No point of this chart is of what is shown.', 'note'));
+            place.replaceChildren(element('p', 'Not measured of what the bar shows.', 'note'));
             place.dataset.drawn = '';
             return;
         }
         const options = { mode: 'vega-lite', renderer: 'svg', ast: true, tooltip: { theme: 'custom', disableDefaultStyle: true },
-                          actions: { export: true, source: false, compiled: false, editor: false } };
+                          actions: { export: true, source: false, compiled: false, editor: false },
+                          logLevel: vega.Error };  // that a layer has no point is no warning
         place.view = (await vegaEmbed(place, spec, options)).view;
         place.querySelectorAll('summary').forEach(menu => menu.setAttribute('aria-label', 'Save this chart'));
         place.querySelector('svg')?.setAttribute('aria-label', place.dataset.label);
+        sayShown(place, spec);
         place.dataset.drawn = '';
     } catch (failure) {
         place.innerHTML = still;
@@ -120,11 +123,12 @@ function startPage() {
     startCharts();
     startFolds();
     startScrollBoxes();
-    startQuestion();
-    startFilter();
     startBody();
+    startQuestion();
     startCells();
 }
 
-if ('DecompressionStream' in window && 'IntersectionObserver' in window)
-    document.addEventListener('DOMContentLoaded', startPage);
+document.addEventListener('DOMContentLoaded', () => {
+    if ('DecompressionStream' in window && 'IntersectionObserver' in window) startPage();
+    else document.getElementById('ask').hidden = true;
+});

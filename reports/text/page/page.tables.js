@@ -69,7 +69,7 @@ class LongTable {
         this.draw();
     }
 
-    /// The rows with all these words that the bar over the chapters keeps; without an argument, the words of the last search.
+    /// The rows with all these words that the bar keeps; without an argument, the words of the last search.
     search(words) {
         if (words !== undefined) this.words = words.toLowerCase().split(/\s+/).filter(Boolean);
         const rows = this.grid.cells[0]?.length ?? 0;

@@ -246,6 +246,7 @@ TEST(Answer, LimitsAreWrittenShort) {
     EXPECT_EQ(limit_text(1e-6), "1e-6");
     EXPECT_EQ(limit_text(2.5e-12), "2.5e-12");
     EXPECT_EQ(size_text(5.8 * 1024 * 1024), "5.80 MiB");
+    EXPECT_EQ(size_text(1.02 * 1024 * 1024) + " of " + size_text(1.04 * 1024 * 1024), "1.02 MiB of 1.04 MiB");
 }
 
 /// Over every scene that the sentence speaks of, not that in which the layout does best.

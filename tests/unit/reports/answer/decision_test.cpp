@@ -6,9 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "answer_cells.hpp"
+#include "edgewise/reports/page/chapters/chapters.hpp"
 
 namespace edgewise::reports {
 namespace {
@@ -138,6 +140,44 @@ TEST(Decision, SaysHowToMeasureMoreOfARecording) {
     EXPECT_THAT(
         decision_of(answer_of_scenes(data, {}), true).text(),
         HasSubstr("not measured; measure it with: edgewise advise --scene heap.jsonl.gz --own-tables"));
+}
+
+/// The page's bar and statements: another number of bodies is another scene, and none of the measured ones is
+/// not measured.
+TEST(Decision, IsOfTheNumberOfBodiesAskedFor) {
+    ReportData data;
+    TimedCell slow = decided_lean;
+    slow.ratios = {1.2, 1.3, 1.4};
+    add_decided(data, {decided_paper, slow, decided_double, decided_points}, own_tables_scene);
+    add_decided(data, decided_contest, R"({"bodies":9000,"rotation_step":0.1,"own_tables":1})");
+    const auto own = [&](double bodies) {
+        return decision_of(answer_of_scenes(data, {.own_tables = true, .bodies = bodies}), true);
+    };
+    EXPECT_EQ(own(600).take, "V-Clip on lean_f64");
+    EXPECT_EQ(own(9000).take, "V-Clip on lean_f32");
+    EXPECT_THAT(own(0).text(),
+                HasSubstr("not measured; measure it with: edgewise advise --shape sphere386 --own-tables"));
+}
+
+/// What the chapters state of one body and one kind of tables; never interpolated between numbers of bodies.
+TEST(Statements, AreOfTheChosenPartOrSayWhatMeasuresIt) {
+    ReportData data = decided_store(decided_contest);
+    TimedCell slow = decided_lean;
+    slow.ratios = {1.2, 1.3, 1.4};
+    add_decided(data, decided_contest, shared_tables, "cube8");
+    add_decided(data, {decided_paper, slow, decided_double, decided_points}, own_tables_scene);
+    add_decided(data, decided_contest, R"({"bodies":9000,"rotation_step":0.1,"own_tables":1})");
+    const auto statements = nlohmann::json::parse(statements_data(data));
+    EXPECT_EQ(
+        statements["sphere386 own"]["caches"],
+        "With a table each, V-Clip on lean_f32 becomes faster than the paper's layout between numbers measured: "
+        "1.30 [1.20, 1.40] of its time with 600 bodies, 0.72 [0.70, 0.74] of its time with 9000 bodies.");
+    EXPECT_EQ(statements["cube8 own"]["caches"],
+              "Not measured. This measures it: edgewise sweep --shape cube8 --scenes pressure --caches all");
+    EXPECT_EQ(statements["cube8 shared"]["body"],
+              "Not measured. This measures it: edgewise sweep --shape cube8 --caches all");
+    EXPECT_THAT(statements["sphere386 shared"]["times"].get<std::string>(), HasSubstr("with 386 vertices."));
+    EXPECT_FALSE(statements.contains(" both")) << "as the page comes";
 }
 
 /// Every number of the sentence is one that a reader has to hold in mind.

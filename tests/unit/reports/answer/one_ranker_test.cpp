@@ -245,9 +245,9 @@ void check_store(const ReportData& data, Seen& seen) {
             SCOPED_TRACE(fmt::format("{} {}", shape, limit));
             const TieSets wanted = expected(data, shape, limit);
             const Answer answer = answer_of(data, {.error_limit = limit, .shape = shape});
-            const std::string question = fmt::format("{} {}", shape, limit_text(limit));
+            const std::string question = fmt::format("{} {} both ", shape, limit_text(limit));
             EXPECT_EQ(on_first_screen(html_of(screens, question)), wanted);
-            EXPECT_EQ(on_map(maps[limit_text(limit)], shape), wanted);
+            EXPECT_EQ(on_map(maps[fmt::format(" {} both", limit_text(limit))], shape), wanted);
             EXPECT_EQ(in_markdown(report_markdown(data, answer, {}, "")), wanted);
             EXPECT_EQ(on_terminal(terminal_text(answer, data), shape), wanted);
             EXPECT_EQ(in_json(answer_json(answer)), wanted);

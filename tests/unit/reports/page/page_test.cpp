@@ -84,7 +84,7 @@ TEST(Glossary, LayoutsAreInTheWordsOfTheStore) {
         << "a plain word, and a layout that no cell is of";
     const std::string list = glossary.list_html();
     EXPECT_THAT(list, HasSubstr("<dt id=\"layout-lean\">"));
-    EXPECT_THAT(list, HasSubstr("<dd>coordinates &amp; rings; every plane</dd>"));
+    EXPECT_THAT(list, HasSubstr("<dd>stores coordinates &amp; rings; derives every plane</dd>"));
     EXPECT_THAT(list, Not(HasSubstr("layout-soa")));
     EXPECT_THAT(Glossary(ReportData{}).list_html(), Not(HasSubstr("<h3>Layouts")));
 }
