@@ -41,8 +41,12 @@ TEST_P(TraceScene, MissesWhatItMust) {
     EXPECT_EQ(trace.queries.all, cell.workload().queries.size());
     EXPECT_EQ(trace.frames, cell.workload().frames.size());
     ASSERT_EQ(trace.machines.size(), 2U);
-    ASSERT_EQ(trace.policies.size(), 2U);
+    ASSERT_EQ(trace.policies.size(), 4U);
     EXPECT_EQ(trace.policies[0].name, "zen5/tree_plru");
+    EXPECT_EQ(trace.policies[2].name, "zen5/next_line");
+    EXPECT_LT(trace.policies[2].first.caches[0].misses.all(),
+              trace.machines.back().first.caches[0].misses.all())
+        << "tables are read in lines that follow each other";
     for (const measure::ModelledMachine& machine : trace.machines) {
         for (const measure::LevelMisses& level : machine.first.caches) {
             EXPECT_EQ(level.misses.compulsory, level.first_touches) << "the first pass starts empty";

@@ -71,6 +71,43 @@ TEST_F(Report, OfCachesSaysWhetherThePolicyMatters) {
     EXPECT_THAT(texts_of(grid.rows[1]), testing::IsSupersetOf({"3", "0", "no"}));
 }
 
+/// 6 of 10 misses are answered by L2 in 5 ns, 4 by memory in 80.
+TEST(MissesGrid, HasWhatQueriesWaitForOnTheMachineThatMeasuredItsLatencies) {
+    ReportData data;
+    data.build.id = "b";
+    ReportCell cell;
+    cell.status = store::CellStatus::verified;
+    cell.figures = {{{"line_knee_bytes", 2048.0, "B"}, "reuse"},
+                    {{"host.L1D.misses_per_query", 10.0, "misses"}, "caches"},
+                    {{"host.L2.misses_per_query", 4.0, "misses"}, "caches"},
+                    {{"host.modelled_memory_ns", std::nullopt, "ns", "not known"}, "caches"}};
+    data.cells = {cell};
+    EXPECT_EQ((misses_grid(data, "host").rows[0].end() - 2)->why, "not known");
+    data.meta = {{"latencies_ns b", "[5, 80]"}};
+    const TextGrid grid = misses_grid(data, "host");
+    EXPECT_EQ((grid.rows[0].end() - 2)->text, "350");
+    EXPECT_THAT(grid.caption, HasSubstr("5 ns in L2, 80 ns in memory"));
+    data.meta = {{"latencies_ns another", "[5, 80]"}};
+    EXPECT_EQ((misses_grid(data, "host").rows[0].end() - 2)->why, "not known");
+}
+
+TEST(PolicySentence, CountsPrefetchersApart) {
+    ReportData data;
+    for (const double misses : {10.0, 8.0}) {
+        ReportCell cell;
+        cell.status = store::CellStatus::verified, cell.table = misses > 9 ? "aos_f64" : "aos_f32";
+        cell.figures = {{{"line_knee_bytes", 2048.0, "B"}, "reuse"},
+                        {{"zen5.L1D.misses_per_query", misses, "misses"}, "caches"},
+                        {{"zen5/random.L1D.misses_per_query", misses, "misses"}, "caches"},
+                        {{"zen5/next_line.L1D.misses_per_query", 18 - misses, "misses"}, "caches"}};
+        data.cells.push_back(cell);
+    }
+    EXPECT_EQ(
+        policy_sentence(data),
+        "Under tree-PLRU or random replacement instead of LRU, 0 of 1 pairs of tables change places by misses; "
+        "with a next-line or a stream prefetcher, 1 of 1.");
+}
+
 TEST_F(Report, OfCachesDrawsMissesAgainstSize) {
     const Chart chart = misses_chart(read_report(make_store(traced_store_sql())));
     const ChartJson& values = chart.spec["data"]["values"];

@@ -21,7 +21,7 @@ std::vector<measure::CacheMachine> known_machines(std::span<const measure::Machi
     return machines;
 }
 
-/// The last of the machines but the host, under the policies that can be.
+/// The last of the machines but the host, under the policies that can be, and with each prefetcher.
 std::vector<measure::CacheMachine> other_policies(std::span<const measure::CacheMachine> machines) {
     const measure::CacheMachine* varied = nullptr;
     for (const measure::CacheMachine& machine : machines) {
@@ -36,6 +36,10 @@ std::vector<measure::CacheMachine> other_policies(std::span<const measure::Cache
     if (std::all_of(levels.begin(), levels.end(), fits_a_tree))
         others.push_back(measure::with_policy(*varied, measure::Replacement::tree_plru));
     others.push_back(measure::with_policy(*varied, measure::Replacement::random));
+    for (const char* prefetcher : {"/next_line", "/stream"}) {
+        others.push_back(*varied);
+        others.back().name += prefetcher;
+    }
     return others;
 }
 

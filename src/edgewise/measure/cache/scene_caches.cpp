@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "edgewise/measure/cache/prefetcher.hpp"
+
 namespace edgewise::measure {
 namespace {
 
@@ -77,7 +79,9 @@ struct SceneCaches::Stack {
 /// One hierarchy with what was missed and why.
 class SceneCaches::Modelled {
   public:
-    Modelled(const CacheGeometry& geometry, std::size_t fields, std::size_t steps) : model_(geometry) {
+    /// `machine`: its name, which says whether it has a prefetcher.
+    Modelled(const CacheGeometry& geometry, std::size_t fields, std::size_t steps, const std::string& machine)
+        : model_(geometry), prefetcher_(machine, geometry.line_bytes) {
         std::uint64_t above = 0;
         for (const LevelGeometry& level : geometry.levels) {
             const std::uint64_t own = std::uint64_t{level.sets} * level.ways;
@@ -100,6 +104,11 @@ class SceneCaches::Modelled {
             for (std::size_t level = 0; level < depth; ++level)
                 book(levels[level], whole, distance, capacity_[level]);
         });
+        // Prefetched lines are counted by the model, and booked nowhere.
+        if (depth > 0)
+            prefetcher_.on_miss(address / unit(), [&](std::uint64_t line) {
+                model_.access(line * unit(), 1, AccessKind::read);
+            });
     }
     [[nodiscard]] ByStart<std::vector<LevelMisses>> counted() const {
         ByStart<std::vector<LevelMisses>> found = levels_;
@@ -135,6 +144,7 @@ class SceneCaches::Modelled {
     }
 
     CacheModel model_;
+    Prefetcher prefetcher_;
     std::vector<std::uint64_t> capacity_;
     ByStart<std::vector<LevelMisses>> levels_;  ///< accesses and first touches: of the first alone
 };
@@ -183,9 +193,10 @@ SceneCaches::SceneCaches(std::span<const CacheMachine> machines, std::size_t fie
         std::optional<Modelled> tlbs;
         if (!machine.tlbs.levels.empty()) {
             stacks_[machine.tlbs.line_bytes];
-            tlbs.emplace(machine.tlbs, fields, steps);
+            tlbs.emplace(machine.tlbs, fields, steps, "");
         }
-        machines_.push_back({&machine, Modelled(machine.caches, fields, steps), std::move(tlbs)});
+        machines_.push_back(
+            {&machine, Modelled(machine.caches, fields, steps, machine.name), std::move(tlbs)});
     }
 }
 
