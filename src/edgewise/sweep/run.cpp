@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/measure/machine/quietness.hpp"
+#include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
@@ -54,6 +56,16 @@ void store_layouts(const SweepWork& work, store::Store& store) {
     }
 }
 
+/// Measures what a load costs that each level of this machine answers, where the plan models it; once for a
+/// build on a machine.
+void store_latencies(const SweepWork& work, const store::BuildRow& build, store::Store& store) {
+    const std::string key = "latencies_ns " + build.id;
+    for (const measure::MachineChoice& choice : work.machines)
+        if (choice.name == "host" && choice.machine.value && !store.meta(key))
+            store.set_meta(key,
+                           nlohmann::json(measure::latencies_beyond_first(*choice.machine.value)).dump());
+}
+
 /// What is the same of all cells.
 void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Store& store) {
     const bench::TableType& baseline = baseline_type();
@@ -73,6 +85,7 @@ void store_sweep(const SweepWork& work, const store::BuildRow& build, store::Sto
     for (const bench::TableType* peer : work.peers)
         store.set_meta(store::peer_key + peer->name, peer->stores + "; " + peer->derives);
     store_layouts(work, store);
+    store_latencies(work, build, store);
 }
 
 using StoredRound = std::vector<std::pair<std::string, measure::Round>>;

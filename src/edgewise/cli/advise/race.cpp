@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "edgewise/measure/cache/machine_choice.hpp"
+#include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/process/child_process.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -325,7 +326,7 @@ std::optional<bool> Race::prediction_held() const {
 Race run_race(const CaseAsked& asked, const std::vector<ScreenedCell>& cells, const RaceOptions& options) {
     Race race = Running(asked, cells, options).run();
     if (const auto host = measure::host_machine(); host.value && race.processes() > 0) {
-        race.latencies_ns = studies::advise::latencies_beyond_first(*host.value);
+        race.latencies_ns = measure::latencies_beyond_first(*host.value);
         for (auto& [name, cost] : race.caches) studies::advise::predict(cost, race.latencies_ns);
     }
     return race;

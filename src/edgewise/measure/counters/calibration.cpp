@@ -75,4 +75,37 @@ std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const C
     return rows;
 }
 
+namespace {
+
+constexpr std::uint64_t line_bytes = 64, loads = 10000;  ///< of a pass: short enough not to be interrupted
+constexpr int passes = 30;
+constexpr std::uint64_t memory_over_last = 4;  ///< times the last level: rarely answered by it
+constexpr std::uint64_t most_bytes = 1 << 28;
+
+/// Returns ns per load over this many bytes: the shortest pass after one that fills the caches.
+double load_ns(std::uint64_t bytes) {
+    RandomChase chase(std::clamp(bytes, line_bytes, most_bytes));
+    chase.run(2 * chase.lines());
+    double shortest = 0;
+    for (int pass = 0; pass < passes; ++pass) {
+        const Stopwatch watch;
+        chase.run(loads);
+        const double ns = watch.elapsed_ns() / static_cast<double>(loads);
+        shortest = pass == 0 ? ns : std::min(shortest, ns);
+    }
+    return shortest;
+}
+
+}  // namespace
+
+std::vector<double> latencies_beyond_first(const CacheMachine& host) {
+    const double first = load_ns(host.caches.bytes_of(0) / 2);
+    const auto beyond_first = [&](std::uint64_t bytes) { return std::max(0.0, load_ns(bytes) - first); };
+    const std::size_t levels = host.caches.levels.size();
+    std::vector<double> beyond;
+    for (std::size_t i = 1; i < levels; ++i) beyond.push_back(beyond_first(host.caches.bytes_of(i) / 2));
+    beyond.push_back(beyond_first(memory_over_last * host.caches.bytes_of(levels - 1)));
+    return beyond;
+}
+
 }  // namespace edgewise::measure

@@ -85,4 +85,11 @@ class RandomChase {
     std::uint64_t state_ = 88172645463325252;
 };
 
+// Latency of a load that each cache level answers on this machine: loads that depend on each other, over
+// memory that fits the level but not the level above it.
+
+/// Returns ns beyond a load that the first level answers, for each further level and then for memory; at
+/// least zero. A level takes some milliseconds to measure, memory up to a second.
+[[nodiscard]] std::vector<double> latencies_beyond_first(const CacheMachine& host);
+
 }  // namespace edgewise::measure

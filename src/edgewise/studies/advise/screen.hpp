@@ -154,13 +154,6 @@ class TimeLimit {
 
 // Predicts the time of a query from its modelled misses, to be shown next to the measured time.
 
-// Latency of a load that each cache level answers on this machine: loads that depend on each other, over
-// memory that fits the level but not the level above it.
-
-/// Returns ns beyond a load that the first level answers, for each further level and then for memory; at
-/// least zero. A level takes some milliseconds to measure, memory up to a second.
-[[nodiscard]] std::vector<double> latencies_beyond_first(const measure::CacheMachine& host);
-
 /// Name of this machine among the machines with modelled caches.
 inline constexpr const char* this_machine = "host";
 
