@@ -110,7 +110,7 @@ TEST(Prefetcher, IsASecondImplementationOnRandomStreams) {
             const std::uint64_t start = random() % 6000, step = random() % 3, length = 1 + random() % 12;
             for (std::uint64_t i = 0; i < length; ++i) lines.push_back(6000 + start + i * step - i);
         }
-        const std::uint32_t ways = 4 + random() % 60;
+        const auto ways = static_cast<std::uint32_t>(4 + random() % 60);
         NaiveCache next{ways}, stream{ways};
         for (const std::uint64_t line : lines) next.next_line(line), stream.stream(line);
         EXPECT_EQ(misses("/next_line", ways, lines), next.missed);
