@@ -141,7 +141,10 @@ std::optional<RankedCell> ranked_cell(std::span<const ReportCell* const> runs, d
     ranked.table = ranked.cell->table.substr(0, ranked.cell->table.find(' '));
     ranked.ns = *measure::median(times);
     ranked.ratio = *measure::median(ratios);
-    ranked.interval = median_interval(std::move(ratios.size() > 1 ? ratios : rounds));
+    if (ranked.processes == 1)
+        ranked.interval = median_interval(std::move(rounds));
+    else if (ranked.holds_between_processes())
+        ranked.interval = median_interval(std::move(ratios));
     ranked.worst_error = first_of(runs, "error.worst_error_given");
     ranked.bytes_per_edge = first_of(runs, "bytes.total_bytes_per_edge");
     ranked.table_bytes = first_of(runs, "bytes.table_bytes");

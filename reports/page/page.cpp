@@ -127,7 +127,7 @@ class ChapterWriter {
             !std::regex_search(svg->second, height, std::regex(" height=\"(\\d+)")))
             return {};
         constexpr int choice_height = 34;
-        const bool choice = chart.spec.dump().find("\"shown_error\"") != std::string::npos;
+        const bool choice = input::json_text(chart.spec).find("\"shown_error\"") != std::string::npos;
         return fmt::format(" style=\"min-height:{}px\"", std::stoi(height[1]) + choice * choice_height);
     }
 

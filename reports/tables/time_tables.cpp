@@ -43,7 +43,7 @@ std::size_t trimmed_each_side(std::size_t n) {
 /// The k-th smallest and k-th largest of n values enclose the median with probability 1 - 2 P(B < k), B
 /// binomial(n, 1/2) (David and Nagaraja, Order Statistics, 7.1).
 std::optional<RatioInterval> median_interval(std::vector<double> ratios) {
-    if (ratios.size() < 3) return std::nullopt;
+    if (ratios.size() < 2) return std::nullopt;
     std::ranges::sort(ratios);
     const std::size_t k = trimmed_each_side(ratios.size());
     if (k == 0) return RatioInterval{ratios.front(), ratios.back(), true};
@@ -65,7 +65,7 @@ GridCell ratio_interval_cell(const ReportCell& cell, PairKind kind) {
     for (const measure::Round& round : cell.rounds)
         if (const auto ratio = round.ratio(per_query)) ratios.push_back(*ratio);
     const auto interval = median_interval(std::move(ratios));
-    if (!interval) return missing_cell("fewer than three rounds with such pairs in cell and baseline");
+    if (!interval) return missing_cell("fewer than two rounds with such pairs in cell and baseline");
     return {fmt::format("{:.3f} to {:.3f}{}", interval->low, interval->high,
                         interval->whole_range ? " (range)" : "")};
 }

@@ -58,9 +58,9 @@ INSTANTIATE_TEST_SUITE_P(EndedBy, Paging, testing::Values(SIGTERM, SIGINT),
 
 // What `edgewise paging thrash` says: every combination scored, cells made real or the reason, and bad input.
 
-const Arguments few_settings = {"paging",  "thrash",   "--layouts", "aos_f64",    "--bodies",
-                                "20",      "--memory", "1,16",      "--fault-ns", "20000",
-                                "--steps", "12",       "--wait",    "0.02"};
+const Arguments few_settings = {"paging",          "thrash", "--layouts",  "aos_f64", "--bodies", "20",
+                                "--memory",        "1,16",   "--fault-ns", "20000",   "--steps",  "12",
+                                "--point-seconds", "0.02"};
 
 Arguments few_settings_with(const Arguments& more) {
     Arguments arguments = few_settings;

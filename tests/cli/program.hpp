@@ -34,7 +34,7 @@ using Arguments = std::vector<std::string>;
 struct Outcome {
     int exit_code = -1;  ///< -1 when a signal ended it
     int signal = 0;
-    std::string out, err;
+    std::string out, err;  ///< err: without the line on how quiet the machine is
 };
 
 class Process {

@@ -182,6 +182,7 @@ measure::FigureRecord asked_of(measure::FigureRecord baseline, const GateArgumen
 
 int write_baseline(const GateArguments& gate, bool json) {
     static_cast<void>(input::output_place(gate.file));  // refused before minutes of measuring
+    say_how_quiet(gate.waits, json);
     auto run = measure_gate(gate);
     if (!run) return exit_check_failed;
     run->record.slack = gate.slack.value_or(usual_slack);
@@ -220,6 +221,7 @@ std::optional<measure::RecordComparison> settled(const measure::FigureRecord& ba
 
 int compare_with_baseline(const GateArguments& gate, bool json) {
     measure::FigureRecord baseline = asked_of(read_baseline(gate.file), gate);
+    say_how_quiet(gate.waits, json);
     if (gate.slack) baseline.slack = gate.slack;
     if (const std::string& of = baseline.condition("queries", gate.file); of != std::to_string(gate.queries))
         throw std::invalid_argument(fmt::format("{} is of {} queries a pass, not {}: give --queries {}",
@@ -233,7 +235,6 @@ int compare_with_baseline(const GateArguments& gate, bool json) {
 }
 
 int run_gate(const GateArguments& gate, bool json) {
-    say_how_quiet(gate.waits, json);
     return gate.write ? write_baseline(gate, json) : compare_with_baseline(gate, json);
 }
 

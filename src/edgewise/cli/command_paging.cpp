@@ -193,7 +193,7 @@ void add_thrash(CLI::App& paging, Context& context) {
               "steps traced; the first sixth of them counts nothing");
     add_count(*command, "--realised", options.realised, {0, 100, "cells"},
               "how many cells are made real; 0: none");
-    add_number(*command, "--wait", options.wait_s, {0.01, 100, "seconds"}, "of each realised point, s");
+    add_number(*command, "--point-seconds", options.wait_s, {0.01, 100, "seconds"}, "of each realised point");
     add_seed_option(*command, levels.seed);
 }
 

@@ -124,7 +124,7 @@ sweep::SceneChoice unrestricted(sweep::SceneChoice scene, const SweepArguments& 
     if (!options.layouts.empty()) scene.layouts.clear();
     if (!options.algorithms.empty()) scene.algorithms.clear();
     if (options.queries) scene.queries = 0;
-    if (!options.axes.empty()) scene.plain = false, scene.axes.clear();
+    if (!options.axes.empty()) scene.plain = false;
     return scene;
 }
 
@@ -145,13 +145,16 @@ void keep_to_times(sweep::Plan& plan) {
     for (sweep::SceneChoice& scene : plan.scenes) scene.caches.clear();
 }
 
-/// The scenes of the plan that were asked for by name, and scenes that it does not have.
+/// The scenes of the plan that were asked for by name, without default flags, and scenes that it does not
+/// have.
 std::vector<sweep::SceneChoice> chosen_scenes(const sweep::Plan& plan, const SweepArguments& options) {
     std::vector<sweep::SceneChoice> kept;
     for (const std::string& name : options.scenes) {
         const std::size_t before = kept.size();
         for (const sweep::SceneChoice& scene : plan.scenes) {
-            if (scene.name == name) kept.push_back(unrestricted(scene, options));
+            if (scene.name != name) continue;
+            kept.push_back(unrestricted(scene, options));
+            std::erase(kept.back().axes, "build=default");
         }
         if (kept.size() == before) kept.push_back({name});
     }

@@ -325,7 +325,9 @@ void CellRun::measure(Stage stage, std::span<const measure::Round> rounds) {
                                  .caches = caches_};
     for (const bench::Probe& probe : bench::registered_probes()) {
         if (probe.beside_others != (stage == Stage::beside_others)) continue;
-        if ((cell_.type().is_peer || axes_.default_build) && !probe.of_peers) continue;
+        if (cell_.type().is_peer && !probe.of_peers) continue;
+        // All but its times and errors is that of the plain cell.
+        if (axes_.default_build && probe.name != "time" && probe.name != "error") continue;
         if (!only_.empty() && std::ranges::find(only_, probe.name) == only_.end()) continue;
         bench::Findings found = probe.measure(cell);
         if (found.passed) hold_against_answers(*found.passed, probe.name);

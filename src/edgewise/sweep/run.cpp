@@ -11,8 +11,8 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/drawings.hpp"
 #include "edgewise/bench/parallel.hpp"
-#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
+#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
@@ -56,10 +56,12 @@ void store_layouts(const SweepWork& work, store::Store& store) {
     }
 }
 
-/// Measures what a load costs that each level of this machine answers, where the plan models it; once for a
-/// build on a machine.
+/// Measures what a load costs that each level of this machine answers, if a scene's caches are modelled on
+/// it; once for a build on a machine.
 void store_latencies(const SweepWork& work, const store::BuildRow& build, store::Store& store) {
     const std::string key = "latencies_ns " + build.id;
+    if (std::ranges::all_of(work.scenes, [](const SceneWork& scene) { return scene.choice.caches.empty(); }))
+        return;
     for (const measure::MachineChoice& choice : work.machines)
         if (choice.name == "host" && choice.machine.value && !store.meta(key))
             store.set_meta(key,

@@ -39,8 +39,7 @@ std::string sentence_of(const CaseAsked& asked) {
                                                   : ", one table for all";
     const std::string rest =
         fmt::format("{}, {}, error <= {}", tables, to_string(asked.needs), asked.error_limit);
-    if (!asked.recording.empty())
-        return fmt::format("recording {}{}", asked.shape.name, rest);
+    if (!asked.recording.empty()) return fmt::format("recording {}{}", asked.shape.name, rest);
     return fmt::format("{}{}, {} vertices ({}){}", asked.scene.name, numbers, asked.shape.body.vertex_count(),
                        asked.shape.name, rest);
 }
