@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -157,13 +158,34 @@ CellCounts counts_of(const ReportData& data) {
 /// Results of one table type over all scenes.
 struct Tally {
     std::size_t losses = 0, ties = 0, choices = 0;
-    double bytes = std::numeric_limits<double>::infinity();
+    double log_ratios = 0, bytes = std::numeric_limits<double>::infinity();
 
+    /// Geometric mean of its ratios.
+    [[nodiscard]] double ratio() const { return std::exp(log_ratios / static_cast<double>(ties + losses)); }
+    [[nodiscard]] bool ties_in_more_than(const Tally& other) const {
+        return std::make_tuple(other.ties, losses) < std::make_tuple(ties, other.losses);
+    }
     [[nodiscard]] bool better_than(const Tally& other) const {
-        return std::make_tuple(other.ties, losses, other.choices, bytes) <
-               std::make_tuple(ties, other.losses, choices, other.bytes);
+        return std::make_tuple(other.choices, bytes) < std::make_tuple(choices, other.bytes);
     }
 };
+
+/// Table types whose mean ratios differ by no more than this are as fast.
+constexpr double as_fast = 1.05;
+
+/// By algorithm and table type.
+using Tallies = std::map<std::pair<std::string, std::string>, Tally>;
+
+/// Keeps those that tie in most scenes, and of these the ones that are as fast on average.
+void keep_best(Tallies& tallies) {
+    const auto tally_of = [](const auto& one) -> const Tally& { return one.second; };
+    const Tally most = std::ranges::min_element(tallies, &Tally::ties_in_more_than, tally_of)->second;
+    std::erase_if(tallies, [&](const auto& one) { return most.ties_in_more_than(one.second); });
+    const double least = std::ranges::min_element(tallies, {}, [](const auto& one) {
+                             return one.second.ratio();
+                         })->second.ratio();
+    std::erase_if(tallies, [&](const auto& one) { return one.second.ratio() > as_fast * least; });
+}
 
 }  // namespace
 
@@ -240,7 +262,7 @@ std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes, co
 }
 
 std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes) {
-    std::map<std::pair<std::string, std::string>, Tally> tallies;
+    Tallies tallies;
     const bool any_quiet = std::ranges::any_of(scenes, [](const SceneRanking& scene) {
         return scene.winner() && scene.recommends() && !scene.too_noisy;
     });
@@ -251,11 +273,13 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
             const bool fast = scene.winner() && one.ratio <= fast_ratio * scene.winner()->ratio;
             ++(fast && scene.ties_with_winner(one) ? tally.ties : tally.losses);
             tally.choices += &one == scene.choice();
+            tally.log_ratios += std::log(one.ratio);
             tally.bytes = one.bytes_per_edge.value_or(tally.bytes);
         }
     }
     std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
     if (tallies.empty()) return std::nullopt;
+    keep_best(tallies);
     const auto best = std::ranges::min_element(
         tallies, [](const auto& a, const auto& b) { return a.second.better_than(b.second); });
     Recommendation take{best->first.first, best->first.second, {}};

@@ -96,7 +96,8 @@ struct Recommendation {
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
 /// Returns the cell that ties in most scenes and takes at most `fast_ratio` times as long as the winner
-/// there, then is the choice of most, then has the smallest tables. Noisy scenes count only if all are too
+/// there; of several, one that is within 5 % of the fastest of them on average over the scenes; then the
+/// choice of most, then that with the smallest tables. Noisy scenes count only if all are too
 /// noisy; scenes that recommend nothing never count. Null if no scene with a winner is left.
 [[nodiscard]] std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes);
 

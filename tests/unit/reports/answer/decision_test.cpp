@@ -110,7 +110,20 @@ TEST(Decision, WhatIsMuchSlowerIsNotTakenBecauseItTies) {
         decided_store({decided_paper, decided_lean, decided_double, uncertain, decided_points_double});
     add_decided(data, {decided_paper, slow, decided_double, uncertain, decided_points_double},
                 R"({"bodies":12})");
-    EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f32");
+    EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f64");
+}
+
+/// Each ties in one of two scenes; 0.97 and 0.82 on average. The smaller tables do not decide.
+TEST(Decision, OfEquallyManyTiesTheFasterOnAverageIsTaken) {
+    TimedCell slow = decided_lean;
+    slow.ratios = {1.2, 1.3, 1.4};
+    ReportData data = decided_store(decided_contest);
+    add_decided(data, {decided_paper, slow, decided_double, decided_points}, R"({"bodies":12})");
+    EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f64");
+    slow.ratios = {0.84, 0.92, 1.0};
+    ReportData near = decided_store(decided_contest);
+    add_decided(near, {decided_paper, slow, decided_double, decided_points}, R"({"bodies":12})");
+    EXPECT_EQ(shared_decision(near).take, "V-Clip on lean_f32") << "0.81 on average: as fast, and smaller";
 }
 
 TEST(Decision, NearContactChangesItWhereAnotherCellWinsThere) {
