@@ -62,7 +62,10 @@ class RunNote {
         keep();
     }
     /// What others took of the processor while it timed (measure::ShareOfOthers).
-    void set_others(double share) { note_["others"] = share; }
+    void set_others(double share) {
+        note_["others"] = share;
+        keep();
+    }
     /// All of it is done, with what follows the cells.
     void end() {
         note_["ended"] = utc_time();
