@@ -175,10 +175,10 @@ TEST(Decision, IsOfTheNumberOfBodiesAskedFor) {
 /// What the chapters state of one body and one kind of tables; never interpolated between numbers of bodies.
 TEST(Statements, AreOfTheChosenPartOrSayWhatMeasuresIt) {
     ReportData data = decided_store(decided_contest);
-    TimedCell slow = decided_lean;
-    slow.ratios = {1.2, 1.3, 1.4};
+    TimedCell slow = decided_lean, slow_double = decided_double;
+    slow.ratios = {1.2, 1.3, 1.4}, slow_double.ratios = {1.16, 1.18, 1.2};
     add_decided(data, decided_contest, shared_tables, "cube8");
-    add_decided(data, {decided_paper, slow, decided_double, decided_points}, own_tables_scene);
+    add_decided(data, {decided_paper, slow, slow_double, decided_points}, own_tables_scene);
     add_decided(data, decided_contest, R"({"bodies":9000,"rotation_step":0.1,"own_tables":1})");
     const auto statements = nlohmann::json::parse(statements_data(data));
     EXPECT_EQ(
