@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("distinct": those that differ widely; "": all layouts);
+# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("": all layouts);
 # EDGEWISE_FULL_TESTS=ON adds the tests that only tests/run full has; EDGEWISE_PEERS=ON adds adapters of other libraries;
 # EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
