@@ -127,7 +127,12 @@ TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
         EXPECT_NEAR(sum, all, 1e-9 * all);
         EXPECT_LE(other, 0.03 * all) << row.at("others");
         EXPECT_GT(total.at("instructions_in_steps"), 0.2 * all);
-        std::printf("effort by phase: %.0f instructions, %.3f %% of them other\n", all, 100 * other / all);
+        const std::size_t code = row.at("code_bytes");
+        EXPECT_EQ(code % 64, 0U);
+        EXPECT_GT(code, 1024U);
+        EXPECT_LT(code, 131072U);
+        std::printf("effort by phase: %.0f instructions in %zu bytes of code, %.3f %% of them other\n", all,
+                    code, 100 * other / all);
     }
 }
 

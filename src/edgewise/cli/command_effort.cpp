@@ -44,6 +44,7 @@ nlohmann::json phases_json(const EffortByPhase& row) {
         {"table", row.table},
         {"algorithm", row.algorithm},
         {"steps", row.steps},
+        {"code_bytes", counted ? nlohmann::json(row.code_bytes) : nlohmann::json()},
         {"wrong", or_null(row.wrong)},
         {"reason", or_null(row.reason)},
         {"remedy", or_null(counted ? std::string() : row.remedy)},
@@ -60,6 +61,7 @@ void print_row(const EffortByPhase& row) {
         fmt::print("  not counted: {}{}{}\n", row.reason, row.remedy.empty() ? "" : "; ", row.remedy);
         return;
     }
+    fmt::print("code that ran: {} bytes in lines of 64\n", row.code_bytes);
     const nlohmann::json json = phases_json(row);
     nlohmann::json rows = json["phases"];
     rows.push_back(json["total"]);

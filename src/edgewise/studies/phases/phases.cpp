@@ -226,7 +226,17 @@ class Divider {
 struct CountedRun {
     measure::InstructionCost total;
     PhaseCounts counts;
+    std::size_t code_bytes;
 };
+
+/// Bytes of the lines with these addresses, given in order.
+std::size_t bytes_of_lines(const std::vector<std::uint64_t>& addresses) {
+    constexpr std::uint64_t line = 64;
+    std::size_t lines = 0;
+    for (std::size_t i = 0; i < addresses.size(); ++i)
+        lines += i == 0 || addresses[i] / line != addresses[i - 1] / line;
+    return lines * line;
+}
 
 measure::Expected<CountedRun> counted_run(const CellChoice& choice, const measure::CacheGeometry& geometry,
                                           const std::string& program, int passes) {
@@ -238,7 +248,8 @@ measure::Expected<CountedRun> counted_run(const CellChoice& choice, const measur
                                 "call it by the path of its file, not by a link"};
     const auto frames = measure::inline_frames(program, addresses);
     if (!frames.value) return frames.refusal();
-    return {CountedRun{lines.value->total, divide_by_phase(*lines.value, *frames.value, program)}};
+    return {CountedRun{lines.value->total, divide_by_phase(*lines.value, *frames.value, program),
+                       bytes_of_lines(addresses)}};
 }
 
 std::vector<std::string> most_of(const std::map<std::string, std::uint64_t>& others) {
@@ -277,6 +288,7 @@ void count(const CellChoice& choice, const Effort& effort, const measure::CacheG
         row.wrong = off;
     const auto queries = static_cast<double>(effort.passed.queries);
     constexpr int passes = many_passes - few_passes;
+    row.code_bytes = few.value->code_bytes;
     row.phases = phases_per_query(few.value->counts, many.value->counts, passes, queries);
     row.others = most_of(many.value->counts.others);
     row.total = per_query("total", {few.value->total}, {many.value->total}, passes * queries);

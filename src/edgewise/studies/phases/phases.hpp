@@ -80,6 +80,7 @@ struct EffortByPhase {
     std::string wrong;                ///< of checked answers, or of the phases' sum; empty: nothing
     std::string reason, remedy;       ///< why there are no phases
     double steps = 0;                 ///< V-Clip states or GJK iterations per query
+    std::size_t code_bytes = 0;       ///< of the lines of 64 bytes with an instruction that the queries ran
     std::vector<PhaseEffort> phases;  ///< those that take most instructions first; empty: `reason`
     std::vector<std::string> others;  ///< the files and functions that take most of `other`, up to three
     PhaseEffort total;                ///< as Callgrind counts it, not added up; its `in_steps` is the sum
