@@ -14,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "edgewise/input/count.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/schema.hpp"
@@ -30,12 +31,16 @@ std::optional<std::string> ReportCell::axis(std::string_view name) const {
 
 namespace {
 
-std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored) {
+std::vector<ReportCell> reader_in_order(std::vector<store::StoredCell> stored, const ReportData& data) {
+    std::map<std::string, double> others;
+    for (const auto& [key, value] : data.meta)
+        if (key.starts_with(store::others_key)) others[key] = input::parse_number(value).value.value_or(0);
     std::vector<ReportCell> cells;
     for (store::StoredCell& cell : stored) {
         if (!cell.axes.empty()) cell.table += " " + cell.axes;
         std::string label = scene_label(cell);
-        cells.push_back({std::move(cell), std::move(label)});
+        const auto share = others.find(store::others_key_of(data.build.id, cell));
+        cells.push_back({std::move(cell), std::move(label), share == others.end() ? 0 : share->second});
     }
     std::ranges::sort(cells, [](const ReportCell& a, const ReportCell& b) {
         return std::tie(a.scene, a.scene_parameters, a.vertices, a.shape, a.algorithm, a.table, a.hash) <
@@ -133,7 +138,7 @@ ReportData read_report(const std::string& store, const std::string& build, const
     data.meta = std::move(stored.meta);
     data.build = std::move(stored.build);
     data.other_builds = std::move(stored.other_builds);
-    data.cells = reader_in_order(std::move(stored.cells));
+    data.cells = reader_in_order(std::move(stored.cells), data);
     sort_out(data);
     return data;
 }

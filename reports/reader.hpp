@@ -21,6 +21,7 @@ namespace edgewise::reports {
 /// `axes` are part of `table` here, because cells with axes are shown next to the plain ones.
 struct ReportCell : store::StoredCell {
     std::string scene_label;  ///< what the scene is called
+    double others = 0;  ///< what others took of the processor while it was timed (measure::ShareOfOthers)
 
     /// The value of an axis; null where the cell has none of that name.
     [[nodiscard]] std::optional<std::string> axis(std::string_view name) const;

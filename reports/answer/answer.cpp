@@ -33,10 +33,8 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
         const auto count = [&](const char* name) {
             return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
         };
-        const double others =
-            json.contains("others") && json["others"].is_number() ? json["others"].get<double>() : 0;
-        runs.push_back({key.substr(prefix.size()), count("cells"), count("done"), text("started"),
-                        text("ended"), others});
+        runs.push_back(
+            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
     }
     return runs;
 }
@@ -208,7 +206,6 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     answer.question = question;
     answer.baseline = baseline_of(data);
     answer.runs = sweep_runs(data);
-    for (const SweepRun& run : answer.runs) answer.others = std::max(answer.others, run.others);
     answer.shape = question.shape.value_or(reference_shape(data));
     const StoredScenes stored = scenes_of(data);
     std::vector<SceneRanking> scenes;
@@ -264,13 +261,13 @@ std::optional<double> worst_error_of(const std::vector<SceneRanking>& scenes, co
 std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes) {
     Tallies tallies;
     const bool any_quiet = std::ranges::any_of(scenes, [](const SceneRanking& scene) {
-        return scene.winner() && scene.recommends() && !scene.too_noisy;
+        return scene.winner() && scene.recommends() && !scene.too_noisy();
     });
     for (const SceneRanking& scene : scenes) {
-        if (!scene.recommends() || (any_quiet && scene.too_noisy)) continue;
+        if (!scene.recommends() || (any_quiet && scene.too_noisy())) continue;
         for (const RankedCell& one : scene.cells) {
             Tally& tally = tallies[{one.cell->algorithm, one.table}];
-            const bool fast = scene.winner() && one.ratio <= fast_ratio * scene.winner()->ratio;
+            const bool fast = scene.winner() && one.ratio <= store::fast_ratio * scene.winner()->ratio;
             ++(fast && scene.ties_with_winner(one) ? tally.ties : tally.losses);
             tally.choices += &one == scene.choice();
             tally.log_ratios += std::log(one.ratio);
@@ -285,7 +282,7 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
     Recommendation take{best->first.first, best->first.second, {}};
     take.worst_error = worst_error_of(scenes, take.algorithm, take.table);
     for (const SceneRanking& scene : scenes) {
-        if (!scene.winner() || !scene.recommends() || (any_quiet && scene.too_noisy)) continue;
+        if (!scene.winner() || !scene.recommends() || (any_quiet && scene.too_noisy())) continue;
         const RankedCell* cell = scene.find(take.algorithm, take.table);
         take.scenes.push_back({&scene, cell, cell && scene.ties_with_winner(*cell)});
     }

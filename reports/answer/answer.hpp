@@ -22,7 +22,6 @@ struct SweepRun {
     std::size_t planned = 0;     ///< cells
     std::size_t done = 0;        ///< number of planned cells that the sweep reached
     std::string started, ended;  ///< UTC, ISO 8601; `ended` is empty when it was stopped
-    double others = 0;  ///< while it timed: what others took of the processor (measure::ShareOfOthers)
     [[nodiscard]] bool finished() const { return !ended.empty(); }
 };
 
@@ -66,7 +65,6 @@ struct Answer {
     std::vector<SceneRanking> near;    ///< scenes near contact, with one shared table
     CellCounts counts;
     std::vector<SweepRun> runs;  ///< that filled the store, in order of their commands
-    double others = 0;           ///< the largest of theirs
     Gaps gaps;
 
     [[nodiscard]] std::vector<const SceneRanking*> scenes() const;  ///< shared, own, near
@@ -95,10 +93,10 @@ struct Recommendation {
     [[nodiscard]] const RankedCell& example() const;  ///< the scene where it ties with the smallest ratio
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
-/// Returns the cell that ties in most scenes and takes at most `fast_ratio` times as long as the winner
-/// there; of several, one that is within 5 % of the fastest of them on average over the scenes; then the
-/// choice of most, then that with the smallest tables. Noisy scenes count only if all are too
-/// noisy; scenes that recommend nothing never count. Null if no scene with a winner is left.
+/// Returns the cell that ties in most scenes and takes at most `store::fast_ratio` times as long as the
+/// winner there; of several, one that is within 5 % of the fastest of them on average over the scenes; then
+/// the choice of most, then that with the smallest tables. Noisy scenes count only if all are too noisy;
+/// scenes that recommend nothing never count. Null if no scene with a winner is left.
 [[nodiscard]] std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes);
 
 /// Returns the largest error of this table type in the scenes that recommend something; null if it has none.

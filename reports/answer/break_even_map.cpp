@@ -197,7 +197,7 @@ void each_cell(const BreakEvenMap& map, const Use& use) {
 /// Returns the answer at a place, short enough to be compared with its neighbour.
 std::string answer_at(const MapCell& cell) {
     if (!cell.winner()) return "nothing within the error";
-    if (cell.scene->too_noisy) return "too noisy to rank";
+    if (cell.scene->too_noisy()) return "too noisy to rank";
     std::string text = layout_name(*cell.winner());
     const std::vector<std::string> others = cell.tied_layouts();
     if (others.empty()) return text;
@@ -250,7 +250,7 @@ std::vector<std::size_t> fullest_columns(const BreakEvenMap& map, std::size_t mo
 GridCell grid_cell_of(const MapCell& cell) {
     if (!cell.winner()) return missing_cell(cell.why);
     const std::string text = cell.winner()->name() + " " + ratio_text(*cell.winner());
-    if (cell.scene->too_noisy) return {text + ", too noisy to rank"};
+    if (cell.scene->too_noisy()) return {text + ", too noisy to rank"};
     return {cell.scene->ties.size() == 1 ? text : fmt::format("{}, {} tie", text, cell.scene->ties.size())};
 }
 
@@ -262,7 +262,7 @@ std::string break_even_sentence(const BreakEvenMap& map) {
     std::map<std::string, std::size_t> winners;
     each_cell(map, [&](const MapCell& cell, std::size_t) {
         if (!cell.winner()) return;
-        if (cell.scene->too_noisy)
+        if (cell.scene->too_noisy())
             ++noisy;
         else if (cell.is_won())
             ++won, ++winners[layout_name(*cell.winner())];
@@ -293,7 +293,7 @@ std::string cell_text(const MapCell& cell) {
     if (!winner) return cell.scene ? cell.scene->label + ": " + cell.why : "Not measured: " + cell.why;
     std::string text =
         fmt::format("{}. {}; {} ns", cell.scene->label, tie_set_text(*cell.scene), number_text(winner->ns));
-    if (cell.scene->too_noisy) text += "; too noisy to rank";
+    if (cell.scene->too_noisy()) text += "; too noisy to rank";
     if (const RankedCell* const other = cell.best_of_others())
         text += fmt::format("; {} takes {:.2f} times as long", other->name(), other->ratio / winner->ratio);
     if (cell.further_scenes > 0)

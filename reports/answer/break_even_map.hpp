@@ -27,7 +27,7 @@ struct MapCell {
     /// Returns algorithms and layouts that tie with the winner's; another precision of it does not count.
     [[nodiscard]] std::vector<std::string> tied_layouts() const;
     /// Returns true if one algorithm and layout is ahead of all others.
-    [[nodiscard]] bool is_won() const { return winner() && tied_layouts().empty() && !scene->too_noisy; }
+    [[nodiscard]] bool is_won() const { return winner() && tied_layouts().empty() && !scene->too_noisy(); }
 };
 
 struct MapColumn {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -53,7 +52,7 @@ class Condition {
         const auto here = std::ranges::find_if(cells, [&](const RankedCell& one) {
             return one.cell->algorithm == take_.algorithm && one.table == take_.table;
         });
-        if (here == cells.end() || winner == cells.end() || !scene.recommends() || scene.too_noisy) return;
+        if (here == cells.end() || winner == cells.end() || !scene.recommends() || scene.too_noisy()) return;
         ++compared_;
         if (!here->meets_error()) dropped_ = here->dropped;
         if (ties(here->range(), winner->range(), scene.own_variation)) return;
@@ -105,14 +104,9 @@ std::string bytes_fact(const RankedCell& cell) {
 Decision decision_of(const Answer& answer, bool own_tables) {
     const std::vector<SceneRanking>& scenes = own_tables ? answer.own : answer.shared;
     const std::optional<Recommendation> take = recommendation_of(scenes);
-    if (take && answer.others > measure::most_of_others)
-        return {{},
-                {fmt::format("the machine was busy: others took {:.0f} % of the processor while it timed; "
-                             "measure again when it is quiet",
-                             100 * answer.others)}};
     if (!take) return {{}, why_nothing_is_taken(scenes, measuring_command(answer, own_tables))};
-    if (take->scenes.front().scene->too_noisy)
-        return {{}, {"too noisy to choose by: the winner's interval spans more than a factor of 2"}};
+    if (const std::string& noise = take->scenes.front().scene->noise; !noise.empty())
+        return {{}, {"too noisy to choose by: " + noise}};
     const RankedCell& cell = take->example();
     Decision decision{cell.name(), {time_fact(*take), bytes_fact(cell)}};
     if (!take->beats_baseline_somewhere()) decision.facts.front() += "; nothing beats the paper's layout";

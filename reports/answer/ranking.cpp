@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 
+#include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/reader.hpp"
@@ -33,7 +34,7 @@ std::string plain_axes(std::span<const ReportCell* const> cells) {
     return plainest ? plainest->axes : std::string();
 }
 
-constexpr double slowest_tie = 1.25, widest_interval = 2;
+constexpr double widest_interval = 2;
 
 /// Other libraries, and the cells of a scene's question with these axes, each with all that measured it;
 /// fastest first.
@@ -99,6 +100,21 @@ std::string why_dropped(const std::optional<double>& error, double limit) {
     if (!error) return "its error was not measured";
     if (*error <= limit) return {};
     return fmt::format("error {} is over {}", number_text(*error, "scale"), limit_text(limit));
+}
+
+/// Why no cell of the scene can be chosen by its time; empty: one can.
+std::string noise_of(const SceneRanking& scene, std::span<const ReportCell* const> cells) {
+    double others = 0;
+    for (const ReportCell* cell : cells) others = std::max(others, cell->others);
+    if (others > measure::most_of_others)
+        return fmt::format(
+            "others took {:.0f} % of the processor while it was timed: measure it into a new "
+            "store when the machine is quiet",
+            100 * others);
+    const RankedCell* const winner = scene.winner();
+    return winner && winner->high() > widest_interval * winner->low()
+               ? "the winner's interval spans more than a factor of 2"
+               : "";
 }
 
 /// The winner beats it by more than its own interval and the baseline's own variation.
@@ -187,7 +203,7 @@ const RankedCell* SceneRanking::smallest_of_ties() const {
         return one.bytes_per_edge.value_or(std::numeric_limits<double>::infinity());
     };
     for (const std::size_t i : ties) {
-        if (cells[i].ratio > slowest_tie * winner()->ratio) continue;
+        if (cells[i].ratio > store::fast_ratio * winner()->ratio) continue;
         if (!smallest || bytes(cells[i]) < bytes(*smallest)) smallest = &cells[i];
     }
     return smallest;
@@ -199,7 +215,7 @@ bool SceneRanking::ties_with_winner(const RankedCell& cell) const {
 
 const RankedCell* SceneRanking::choice() const {
     if (beats_baseline) return winner();
-    if (!too_noisy) return smallest_of_ties();
+    if (!too_noisy()) return smallest_of_ties();
     return baseline() && ties_with_winner(*baseline()) ? baseline() : winner();
 }
 
@@ -215,8 +231,7 @@ SceneRanking rank_scene(std::span<const ReportCell* const> cells, double error_l
     find_own_variation(scene);
     find_ties(scene);
     scene.beats_baseline = beats_baseline(scene);
-    if (const RankedCell* winner = scene.winner())
-        scene.too_noisy = winner->high() > widest_interval * winner->low();
+    scene.noise = noise_of(scene, cells);
     const ReportCell& any = *cells.front();
     scene.label = any.scene_label, scene.shape = any.shape;
     scene.vertices = any.vertices;
@@ -248,7 +263,7 @@ Known fast_ones(const std::vector<SceneRanking>& scenes) {
             const RankedCell* best = scene.best(algorithm);
             if (!best || types_of(scene, algorithm) < most[scene.shape]) continue;
             for (const RankedCell& one : scene.cells)
-                if (one.cell->algorithm == algorithm && one.ratio <= fast_ratio * best->ratio)
+                if (one.cell->algorithm == algorithm && one.ratio <= store::fast_ratio * best->ratio)
                     fast.emplace(scene.shape, algorithm, one.table);
         }
     }
@@ -294,7 +309,7 @@ std::string SceneRanking::why_not() const {
 }
 
 std::string contest_rule() {
-    return prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", fast_ratio));
+    return prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", store::fast_ratio));
 }
 
 }  // namespace edgewise::reports

@@ -22,7 +22,8 @@
 //
 // A layout wins only against measured layouts: if GJK or every small layout is missing, the winner is the
 // best of too few. V-Clip and GJK must therefore each have been measured on a small and on a fast layout; one
-// layout may be both (check_contests).
+// layout may be both (check_contests). Fast (store::fast_ratio) is a layout beside the fastest of its
+// algorithm, in a scene with these bodies in which the most table types of that algorithm were measured.
 #pragma once
 
 #include <cstdint>
@@ -112,12 +113,13 @@ struct SceneRanking {
     std::vector<RankedCell> default_flags;
     std::vector<std::size_t> ties;  ///< the tie set, as indices of `cells`: the winner first
     bool beats_baseline = false;    ///< the winner, by more than its interval and the own variation
-    bool too_noisy = false;         ///< the winner's interval spans more than a factor of 2
+    std::string noise;              ///< why no cell can be chosen by these times; empty: one can
     /// Cells to be measured before anything is recommended, "GJK on a small layout" (check_contests).
     std::vector<std::string> not_measured = {};
     /// Measured algorithms without a cell within the error limit: "GJK" (check_contests).
     std::vector<std::string> over_limit = {};
 
+    [[nodiscard]] bool too_noisy() const { return !noise.empty(); }
     [[nodiscard]] bool recommends() const { return not_measured.empty() && over_limit.empty(); }
     /// Returns "not measured: GJK on a small layout; every cell of V-Clip exceeds the error limit"; empty if
     /// the scene recommends.
@@ -143,9 +145,6 @@ struct SceneRanking {
 /// A layout is small for an algorithm if the table that it builds takes at most this: a quarter of the 168
 /// bytes per edge that the paper counts.
 inline constexpr double small_bytes_per_edge = 42;
-/// A layout is fast if its time is at most this factor times the fastest of its algorithm, in a scene with
-/// these bodies in which the most table types of that algorithm were measured.
-inline constexpr double fast_ratio = 1.25;
 
 /// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout"; and `over_limit`.
 void check_contests(std::vector<SceneRanking>& scenes);

@@ -38,8 +38,8 @@ std::string beside(const std::optional<double>& value, const std::string& unit =
 
 std::string take_of_scene(const SceneRanking& scene, const RankedCell& choice) {
     if (!scene.recommends()) return "nothing is recommended; " + scene.why_not();
+    if (scene.too_noisy()) return "too noisy to choose by; " + choice.name();
     if (scene.beats_baseline) return choice.name();
-    if (scene.too_noisy) return fmt::format("too noisy to choose by; {}", choice.name());
     return &choice == scene.baseline() ? "nothing beats the paper's layout"
                                        : fmt::format("nothing beats the paper's layout; {}", choice.name());
 }

@@ -308,7 +308,7 @@ std::string map_bar_of(const MapCell& cell, double x, double y) {
 
 /// "0.72, 3 tie"
 std::string map_ratio(const MapCell& cell) {
-    if (cell.scene->too_noisy) return "too noisy";
+    if (cell.scene->too_noisy()) return "too noisy";
     const std::string ratio = fmt::format("{:.2f}", cell.winner()->ratio);
     const std::size_t ties = cell.scene->ties.size();
     return ties == 1 ? ratio : fmt::format("{}, {} tie", ratio, ties);

@@ -128,7 +128,7 @@ constexpr const char* this_machine = "host";
 /// Returns ns beyond a load that the first level answers, for each further level and for memory, of the
 /// machine that measured the store; empty if it did not measure them.
 std::vector<double> latencies_of(const ReportData& data) {
-    const auto json = input::json_or_null(data.meta_value("latencies_ns " + data.build.id).value_or(""));
+    const auto json = input::json_or_null(data.meta_value(store::latencies_key + data.build.id).value_or(""));
     std::vector<double> latencies;
     for (const auto& ns : json)
         if (ns.is_number()) latencies.push_back(ns.get<double>());

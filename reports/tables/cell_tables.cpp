@@ -202,7 +202,8 @@ TextGrid facts_grid(const ReportData& data) {
             key.starts_with(store::study_key))
             continue;  // in places of their own
         if (key == "build" || key == "seed") continue;
-        if (key == store::shard_key || key == store::complete_key || key.starts_with(store::took_key))
+        if (key == store::shard_key || key == store::complete_key || key.starts_with(store::took_key) ||
+            key.starts_with(store::others_key))
             continue;
         if (key.starts_with(store::command_key)) {
             if (value == data.build.id)

@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <memory>
+#include <stdexcept>
 
 namespace edgewise::cli_test {
 
@@ -40,6 +41,14 @@ std::vector<std::string> rows_of(const std::filesystem::path& store, const std::
         rows.push_back(text);
     });
     return rows;
+}
+
+void change(const std::filesystem::path& store, const std::string& sql) {
+    sqlite3* opened = nullptr;
+    const int code = sqlite3_open_v2(store.c_str(), &opened, SQLITE_OPEN_READWRITE, nullptr);
+    const std::unique_ptr<sqlite3, decltype(&sqlite3_close)> database(opened, sqlite3_close);
+    if (code != SQLITE_OK || sqlite3_exec(opened, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+        throw std::runtime_error(sqlite3_errmsg(opened));
 }
 
 std::map<std::string, double> figures_in(const std::filesystem::path& store) {

@@ -15,6 +15,9 @@ namespace edgewise::cli_test {
 /// store.
 [[nodiscard]] std::vector<std::string> rows_of(const std::filesystem::path& store, const std::string& sql);
 
+/// Runs statements that return no rows.
+void change(const std::filesystem::path& store, const std::string& sql);
+
 /// Every round with its figures.
 [[nodiscard]] std::vector<std::string> rounds_in(const std::filesystem::path& store);
 

@@ -128,6 +128,25 @@ TEST(Sweep, MeasuresNothingTwice) {
     EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db"), rounds);
 }
 
+/// Times that were measured beside others stay so, whatever is run later: the reader finds the share by
+/// scene.
+TEST(Sweep, KeepsTheShareThatOthersTookWithTheTimes) {
+    const Folder folder;
+    const Arguments contest = with(tiny, {"--layouts", "lean,points_soa"});
+    ASSERT_EQ(run(contest, folder).exit_code, 0);
+    const auto store = folder / "reports/out/edgewise.db";
+    change(store,
+           "insert or replace into meta select distinct 'others ' || build || ' ' || scene || ' ' || "
+           "scene_parameters || ' ' || shape, '0.45' from cell");
+    ASSERT_EQ(run(contest, folder).exit_code, 0);
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("others took 45 % of the processor"));
+    Arguments further = contest;
+    std::ranges::replace(further, "3", "4");
+    ASSERT_EQ(run(further, folder).exit_code, 0) << "a fourth round is timed";
+    EXPECT_EQ(rows_of(store, "select distinct value from meta where key like 'others %'"),
+              std::vector<std::string>{"0.45"});
+}
+
 TEST(Sweep, TakesAPlanFromAFile) {
     const Folder folder;
     const json plan = {

@@ -5,8 +5,8 @@ const askFields = ['shape', 'tables', 'limit', 'bodies', 'scene', 'algorithm', '
 const field = name => document.getElementById('ask-' + name);
 const asked = name => field(name).value;
 
-// Numbers of bodies of the scenes with a table each, and the one that stands for the number asked for: at most twice as
-// many or half; 0 if none is, nothing if any number will do.
+// The numbers of bodies that were measured with a table each; and the one that is nearest to the number asked for, within a
+// factor of two: 0 if there is none, nothing if any number will do.
 const measuredBodies = () => [...new Set([...field('scene').options].filter(one => one.dataset.tables === 'own')
     .map(one => Number(one.dataset.bodies)).filter(Boolean))].sort((a, b) => a - b);
 function nearestBodies() {
@@ -93,7 +93,7 @@ function startQuestion() {
     form.addEventListener('reset', () => setTimeout(() => { keepAddress(); showView(); }));
     const hasQuestion = () => askFields.some(name => new URLSearchParams(location.hash.slice(1)).has(name));
     window.addEventListener('hashchange', () => hasQuestion() ? followAddress() : keepAddress());
-    // What a link jumps to is not to be under the bar.
+    // A link must not jump to a place under the bar.
     new ResizeObserver(() => {
         const sticks = getComputedStyle(form).position === 'sticky';
         document.documentElement.style.scrollPaddingTop = sticks ? form.offsetHeight + 8 + 'px' : '';

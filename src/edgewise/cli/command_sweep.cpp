@@ -2,9 +2,9 @@
 //
 // `edgewise sweep`: runs a plan into a store and writes the report. Ctrl-C stops after the round in hand: the
 // report is of what is there, and the next run goes on.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <ctime>
 #include <filesystem>
 #include <map>
@@ -61,11 +61,6 @@ class RunNote {
         note_["done"] = note_["done"].get<std::size_t>() + cells;
         keep();
     }
-    /// What others took of the processor while it timed (measure::ShareOfOthers).
-    void set_others(double share) {
-        note_["others"] = share;
-        keep();
-    }
     /// All of it is done, with what follows the cells.
     void end() {
         note_["ended"] = utc_time();
@@ -75,12 +70,7 @@ class RunNote {
   private:
     /// Now, as "2026-01-31T23:59:59Z" (ISO 8601, UTC).
     static std::string utc_time() {
-        const std::time_t now = std::time(nullptr);
-        std::tm parts{};
-        ::gmtime_r(&now, &parts);
-        std::array<char, 32> text{};
-        const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-        return {text.data(), length};
+        return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     }
     void keep() { store_.set_meta(store::run_key + command_, note_.dump()); }
 
@@ -248,9 +238,7 @@ void print_summary(const PartsSummary& outcome, const std::string& store,
         fmt::print("{} {} rows: {} failed, {} unavailable\n", counts.rows, study, counts.failed,
                    counts.unavailable);
     fmt::print("store: {}\n", store);
-    if (page.empty())
-        fmt::print("a part of a campaign; all of them as one: edgewise merge STORES... --out ALL\n");
-    else
+    if (!page.empty())
         fmt::print("report: {}\n\n{}\n\nopen {} in a browser\n", page, input::shown_text(report.answer),
                    page);
 }
@@ -273,6 +261,8 @@ int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, con
         if (!report.note.empty()) warn(report.note);
     }
     print_summary(outcome, store, report, json);
+    if (!shard.is_whole() && !json)
+        fmt::print("a part of a campaign; all of them as one: edgewise merge STORES... --out ALL\n");
     if (options.fom) print_figures_of_merit(store);
     const sweep::SweepSummary& cells = outcome.sweep;
     const StudyCounts rows = outcome.all_studies();
@@ -317,7 +307,6 @@ int run_sweep(const SweepArguments& options, bool json) {
         if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
         RunNote note(store, fmt::format("{}", fmt::join(words_of(*options.command), " ")), work.cells());
         outcome = run_parts(work, store, [&](std::size_t cells) { note.add_done(cells); });
-        note.set_others(outcome.sweep.others);
         if (!outcome.stopped) {
             note.end();
             if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());

@@ -144,6 +144,10 @@ void check_schema(const sqlite::Database& database) {
                         database.path(), version, store_schema_version));
 }
 
+std::string others_key_of(const std::string& build, const CellRow& cell) {
+    return fmt::format("{}{} {} {} {}", others_key, build, cell.scene, cell.scene_parameters, cell.shape);
+}
+
 std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database& database) {
     std::vector<std::pair<std::string, std::string>> meta;
     sqlite::Statement select(database, "select key, value from meta order by key");

@@ -59,6 +59,9 @@ struct CellRow {
     [[nodiscard]] bool is_timed() const { return verified() || judged(); }
 };
 
+/// A cell is fast if its time is at most this factor times that of the fastest cell it is compared with.
+inline constexpr double fast_ratio = 1.25;
+
 struct FigureRow : measure::Figure {
     std::string probe;
 };
@@ -83,6 +86,10 @@ inline constexpr const char *build_columns = "id, git_revision, compiler, flags,
 void check_schema(const sqlite::Database& database);
 /// Converts a store of schema version 5 to today's; call it inside a transaction.
 void take_runs_from_old_names(const sqlite::Database& database);
+
+/// The key of `meta` for what others took while a cell was timed; the same for all cells of a scene and
+/// shape.
+[[nodiscard]] std::string others_key_of(const std::string& build, const CellRow& cell);
 
 /// Keys and values of the table `meta`, by key.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> meta_of(const sqlite::Database& database);

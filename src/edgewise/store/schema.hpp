@@ -21,7 +21,7 @@ inline constexpr const char* drawing_key = "drawing ";
 inline constexpr const char* layout_key = "layout ";
 
 /// body_key followed by a shape's name: the body; heat_key followed by a cell's hash: how often its scene
-/// reads each feature of the body. Both as JSON (sweep/prepared_cell.hpp).
+/// reads each feature of the body, and the steps of one query. Both as JSON (sweep/prepared_cell.hpp).
 inline constexpr const char *body_key = "body ", *heat_key = "heat ";
 
 /// Followed by a scene file's name: its text, as JSON in one line; and its path.
@@ -44,6 +44,14 @@ inline constexpr const char *shard_key = "shard", *complete_key = "complete";
 /// Followed by the name of a comparison, of a group of a sweep or of another run: the seconds that it took
 /// last time. They decide the size of shards and the estimate of the time left.
 inline constexpr const char* took_key = "took ";
+
+/// Followed by a build, a scene with its parameters and a shape (others_key_of): the largest share of the
+/// processor that others took while a process timed these cells (measure::ShareOfOthers).
+inline constexpr const char* others_key = "others ";
+
+/// Followed by a build: nanoseconds of a load that each level of its machine's caches answers, then memory;
+/// beyond those of the first level, as a JSON array.
+inline constexpr const char* latencies_key = "latencies_ns ";
 
 /// Followed by a study's name: the title, the text and the columns of its chapter, as JSON (sweep/study.hpp).
 inline constexpr const char* study_key = "study ";

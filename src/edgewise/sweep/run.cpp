@@ -25,9 +25,6 @@ namespace edgewise::sweep {
 
 namespace {
 
-/// The baseline of every ratio: the paper's algorithm on the paper's layout.
-const std::string baseline_algorithm = "vclip", baseline_table = "aos_f64";
-
 /// The shape of the drawings: small enough to read, with every kind of feature.
 constexpr const char* drawn_shape = "cube8";
 
@@ -59,7 +56,7 @@ void store_layouts(const SweepWork& work, store::Store& store) {
 /// Measures what a load costs that each level of this machine answers, if a scene's caches are modelled on
 /// it; once for a build on a machine.
 void store_latencies(const SweepWork& work, const store::BuildRow& build, store::Store& store) {
-    const std::string key = "latencies_ns " + build.id;
+    const std::string key = store::latencies_key + build.id;
     if (std::ranges::all_of(work.scenes, [](const SceneWork& scene) { return scene.choice.caches.empty(); }))
         return;
     for (const measure::MachineChoice& choice : work.machines)
@@ -110,10 +107,11 @@ StoredRound time_round(const Plan& plan, int number, const std::vector<const Cel
 
 /// Every round that a cell to be timed is missing: each such cell once, in an order of its own each round,
 /// the baseline somewhere among them. A round is stored when it is done, and `stop` looked at before the
-/// next.
-void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
-                 StoredCells& stored, measure::ShareOfOthers& others, const std::atomic<bool>& stop,
-                 const std::function<void()>& on_round) {
+/// next. Returns what others took of the processor meanwhile.
+double time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun& baseline,
+                   StoredCells& stored, const std::atomic<bool>& stop,
+                   const std::function<void()>& on_round) {
+    measure::ShareOfOthers others;
     const double clock_cost_ns = measure::calibrate();
     std::vector<std::set<int>> missing;
     for (const CellRun& cell : cells) missing.push_back(stored.rounds_missing(cell));
@@ -130,6 +128,7 @@ void time_rounds(const Plan& plan, std::span<const CellRun> cells, const CellRun
         }
         on_round();
     }
+    return others.share();
 }
 
 void count(store::CellStatus status, SweepSummary& summary) {
@@ -156,7 +155,6 @@ class Sweep {
             }
         }
         summary_.stopped = stop_;
-        summary_.others = others_.share();
         return summary_;
     }
 
@@ -248,9 +246,10 @@ class Sweep {
             listener_.on_warning(fmt::format(
                 "the baseline {} on {} {} is {}: {}; nothing to compare times with", baseline.row().table,
                 scene.choice.name, shape.name, to_string(baseline.row().status), baseline.row().reason));
-        time_rounds(work_.plan, cells, baseline, stored_, others_, stop_, [&] {
+        const double others = time_rounds(work_.plan, cells, baseline, stored_, stop_, [&] {
             advance(expected, Step::rounds, static_cast<std::size_t>(work_.plan.rounds), what);
         });
+        stored_.put_others(baseline.row(), others);
         if (stop_) return;
         for (CellRun& cell : cells) {
             cell.measure(CellRun::Stage::alone, stored_.rounds_of(cell));
@@ -275,7 +274,6 @@ class Sweep {
     const SweepListener& listener_;
     const std::atomic<bool>& stop_;
     SweepSummary summary_;
-    measure::ShareOfOthers others_;
     measure::Stopwatch lap_;  ///< since the last part of a step was done
 };
 

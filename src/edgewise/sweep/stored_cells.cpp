@@ -56,11 +56,8 @@ std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
 
 namespace {
 
-constexpr double slowest_finalist = 1.25;
-
-/// Adds the finalists of one body.
-void add_finalists(const std::vector<store::StoredCell>& cells, const store::CellRow& of,
-                   std::set<std::string>& pairs) {
+/// Returns the finalists of one scene and body, as "gjk points_soa_f32".
+std::vector<std::string> finalists(const std::vector<store::StoredCell>& cells, const store::CellRow& of) {
     std::vector<std::pair<const store::StoredCell*, double>> times;
     std::map<std::string, double> fastest;  // by precision
     for (const store::StoredCell& cell : cells) {
@@ -72,21 +69,26 @@ void add_finalists(const std::vector<store::StoredCell>& cells, const store::Cel
         double& least = fastest.try_emplace(cell.precision, *ns).first->second;
         least = std::min(least, *ns);
     }
+    std::vector<std::string> pairs = {fmt::format("{} {}", baseline_algorithm, baseline_table)};
     for (const auto& [cell, ns] : times)
-        if (ns <= slowest_finalist * fastest[cell->precision])
-            pairs.insert(cell->algorithm + " " + cell->table);
+        if (ns <= store::fast_ratio * fastest[cell->precision])
+            pairs.push_back(cell->algorithm + " " + cell->table);
+    return pairs;
 }
 
 }  // namespace
 
 void keep_finalists(SweepWork& work, const std::string& path) {
     const store::StoredBuild stored = store::read_build(path, bench::this_build().id);
-    for (SceneWork& scene : work.scenes) {
-        std::set<std::string> pairs = {"vclip aos_f64"};
-        for (const scene::NamedShape* shape : scene.shapes)
-            add_finalists(stored.cells, row_of(work.plan, scene, *shape), pairs);
-        scene.choice.pairs.assign(pairs.begin(), pairs.end());
+    std::vector<SceneWork> scenes;
+    for (const SceneWork& scene : work.scenes) {
+        for (const scene::NamedShape* shape : scene.shapes) {
+            SceneWork& one = scenes.emplace_back(scene);
+            one.shapes = {shape};
+            one.choice.pairs = finalists(stored.cells, row_of(work.plan, scene, *shape));
+        }
     }
+    work.scenes = std::move(scenes);
 }
 
 std::optional<double> took_in(const store::Store& store, const std::string& what) {
@@ -113,6 +115,13 @@ void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
 
 void StoredCells::put_seconds(const std::string& of, double seconds) {
     store_.set_meta(store::took_key + name_of_time(of), fmt::format("{:.3f}", seconds));
+}
+
+void StoredCells::put_others(const store::CellRow& of, double share) {
+    const std::string key = store::others_key_of(build_, of);
+    const auto before = store_.meta(key);
+    if (share > 0 && (!before || share > input::parse_number(*before).value.value_or(0)))
+        store_.set_meta(key, fmt::format("{:.4f}", share));
 }
 
 bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {

@@ -27,9 +27,8 @@ namespace edgewise::sweep {
 /// The `run` of the plan's cells in this process.
 [[nodiscard]] std::string run_of(const Plan& plan);
 
-/// Keeps, of each scene, the baseline and the algorithms on table types that take at most 1.25 times the time
-/// of the fastest in their precision on any of the scene's bodies, by what this build stored in the first
-/// process.
+/// Keeps, of each scene and body, the baseline and the algorithms on table types that are fast in their
+/// precision (store::fast_ratio), by what this build stored in the first process.
 void keep_finalists(SweepWork& work, const std::string& store);
 
 class StoredCells {
@@ -62,6 +61,9 @@ class StoredCells {
     /// Stores the cell's heat on the body, and the body. Stores nothing if the cell has no heat.
     void put_heat(const CellRun& cell, const Polyhedron& body);
     void put_seconds(const std::string& of, double seconds);
+    /// Stores what others took of the processor while the cells of one scene and shape were timed, unless
+    /// more is stored.
+    void put_others(const store::CellRow& of, double share);
 
   private:
     /// Returns true if an earlier run checked fewer answers of the cell than this plan orders.

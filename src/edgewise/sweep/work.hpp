@@ -23,6 +23,9 @@ namespace edgewise::sweep {
 
 class TimeLeft;
 
+/// The baseline of every ratio: the paper's algorithm on the paper's layout.
+inline const std::string baseline_algorithm = "vclip", baseline_table = "aos_f64";
+
 /// A scene of the plan, or one point of a scene file, with the shapes, types and algorithms that it uses.
 struct SceneWork {
     SceneChoice choice;            ///< with every parameter
@@ -92,7 +95,6 @@ struct SweepSummary {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
     std::size_t judged = 0;  ///< cells of other libraries, and of raw V-Clip
     bool stopped = false;    ///< ended early; stored results are kept
-    double others = 0;       ///< while it timed: what others took of the processor (measure::ShareOfOthers)
 };
 
 /// Functions that a sweep calls while it runs.

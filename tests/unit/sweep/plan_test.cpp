@@ -130,7 +130,8 @@ const char* const near_contact[] = {"gap gap=0.001 span=0", "gap gap=0.0001 span
 /// The contest behind the report's answer: every body in every condition, and in each scene every contender.
 TEST(Plan, QuickAsksEveryContenderInEveryConditionOfTheContest) {
     const Plan plan = make_plan("quick");
-    Names wanted = {"cold", "tumble rotation_step=0.01", "tumble rotation_step=0.1"};
+    Names wanted = {"cold", "tumble in_time_order=1 rotation_step=0.01",
+                    "tumble in_time_order=1 rotation_step=0.1"};
     wanted.insert(wanted.end(), std::begin(near_contact), std::end(near_contact));
     wanted.insert(wanted.end(), {"pressure bodies=200", "pressure bodies=6000", "resting",
                                  "resting bodies=200 own_tables=1", "bullet_wall.jsonl.gz"});

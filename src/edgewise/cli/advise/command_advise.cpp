@@ -171,9 +171,11 @@ struct AdviseArguments {
     std::uint64_t seed = 1;
 };
 
-// Values of options that are not given.
-constexpr std::size_t usual_bodies = 100;
-constexpr double usual_turn = 0.1;
+// Values of options that are not given; turn and bodies are those of plan `quick`.
+using studies::advise::usual_turn;
+std::size_t bodies_asked(const AdviseArguments& options) {
+    return options.bodies.value_or(studies::advise::usual_bodies(options.own));
+}
 constexpr const char* usual_shape = "sphere386";
 constexpr Needs usual_needs = Needs::distance;
 
@@ -192,7 +194,7 @@ std::vector<std::string> assumptions(const AdviseArguments& options) {
         if (!options.own && !options.shared)
             assumed.emplace_back(
                 "one table for all bodies (--own-tables: each has its own; the answer may flip)");
-        if (!options.bodies) assumed.push_back(fmt::format("{} bodies (--bodies)", usual_bodies));
+        if (!options.bodies) assumed.push_back(fmt::format("{} bodies (--bodies)", bodies_asked(options)));
         if (!options.vertices && options.shape.empty())
             assumed.push_back(
                 fmt::format("the body is {} (--shape NAME or FILE, or --vertices)", usual_shape));
@@ -241,8 +243,8 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
         asked.shape = chosen_shape({name, options.as_stored});
         if (scene::names_mesh_file(name)) asked.mesh = name;
         asked.as_stored = options.as_stored;
-        asked.scene = studies::advise::tumbling(options.bodies.value_or(usual_bodies),
-                                                options.turn.value_or(usual_turn));
+        asked.scene = studies::advise::usual_scene(options.own, bodies_asked(options),
+                                                   options.turn.value_or(usual_turn));
         asked.own_tables = options.own;
     } else {
         take_scene_file(options, asked);
@@ -266,8 +268,8 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
     } else {
         text += " --shape " + (asked.mesh.empty() ? asked.shape.name : asked.mesh);
         if (asked.as_stored) text += " --as-stored";
-        text += fmt::format(" --bodies {} --turn {}", options.bodies.value_or(usual_bodies),
-                            options.turn.value_or(usual_turn));
+        text +=
+            fmt::format(" --bodies {} --turn {}", bodies_asked(options), options.turn.value_or(usual_turn));
     }
     if (options.scene.empty() || options.own || options.shared)
         text += asked.own_tables ? " --own-tables" : " --shared-tables";

@@ -9,13 +9,15 @@
 #include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/sweep/prepared_cell.hpp"
+#include "edgewise/sweep/work.hpp"
 
 namespace edgewise::studies::advise {
 
-sweep::SceneChoice tumbling(std::size_t bodies, double rotation_step) {
-    return {
-        "tumble",
-        {{"bodies", static_cast<double>(bodies)}, {"rotation_step", rotation_step}, {"in_time_order", 1}}};
+sweep::SceneChoice usual_scene(bool own_tables, std::size_t bodies, double rotation_step) {
+    sweep::SceneChoice scene{own_tables ? "pressure" : "tumble",
+                             {{"bodies", static_cast<double>(bodies)}, {"rotation_step", rotation_step}}};
+    if (!own_tables) scene.parameters["in_time_order"] = 1;
+    return scene;
 }
 
 bool can_share(const CaseAsked& asked) {
@@ -110,7 +112,7 @@ void drop_slow_ones(std::vector<ScreenedCell>& cells, double slowest) {
 }  // namespace
 
 bool ScreenedCell::is_baseline() const {
-    return algorithm == baseline_algorithm && type->name == baseline_table;
+    return algorithm == sweep::baseline_algorithm && type->name == sweep::baseline_table;
 }
 
 std::string ScreenedCell::name() const { return contender_name(algorithm, type->name); }

@@ -37,9 +37,12 @@ struct CaseAsked {
     std::uint64_t seed = 1;
 };
 
-/// Returns the scene `tumble` with this number of bodies, frame after frame as an engine asks; each body
-/// turns by `rotation_step` rad per step.
-[[nodiscard]] sweep::SceneChoice tumbling(std::size_t bodies, double rotation_step);
+/// Returns a scene of plan `quick`, which asks frame after frame as an engine does: `tumble`, and of bodies
+/// with tables of their own `pressure`. Each body turns by `rotation_step` rad per step.
+[[nodiscard]] sweep::SceneChoice usual_scene(bool own_tables, std::size_t bodies, double rotation_step);
+
+inline constexpr double usual_turn = 0.1;  ///< rad per step
+[[nodiscard]] constexpr std::size_t usual_bodies(bool own_tables) { return own_tables ? 200 : 12; }
 
 /// Returns true if the kind of scene can be run both with a shared table and with a table for each body.
 [[nodiscard]] bool can_share(const CaseAsked& asked);
@@ -49,9 +52,6 @@ struct CaseAsked {
 
 /// Returns "tumble, bodies 300, 386 vertices (sphere386), a table each, distance, error <= 1e-06".
 [[nodiscard]] std::string sentence_of(const CaseAsked& asked);
-
-/// Ratios are to this cell: the paper's algorithm on the paper's layout.
-inline constexpr const char *baseline_algorithm = "vclip", *baseline_table = "aos_f64";
 
 /// Why a cell is dropped; the first reason that applies.
 enum class DroppedFor {

@@ -119,7 +119,7 @@ TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
     const ReportData data = answer_data({made_paper, noisy, tiny, made_small});
     const Answer answer = answer_of(data);
     const SceneRanking& scene = answer.shared.front();
-    EXPECT_TRUE(scene.too_noisy);
+    EXPECT_TRUE(scene.too_noisy());
     EXPECT_EQ(scene.ties.size(), 3u);
     EXPECT_EQ(scene.choice(), scene.baseline());
     EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";

@@ -84,11 +84,11 @@ TEST(Decision, DefaultFlagsChangeItWhereAnotherCellWinsWithThem) {
 /// Intervals do not show what all rounds have in common.
 TEST(Decision, NothingIsTakenFromATimingOnABusyMachine) {
     ReportData data = decided_store(decided_contest);
-    data.build.id = "b";
-    data.meta = {{"run sweep --plan quick", R"({"build":"b","cells":5,"done":5,"ended":"x","others":0.45})"}};
+    for (ReportCell& cell : data.cells) cell.others = 0.45;
     EXPECT_EQ(shared_decision(data).take, "");
-    EXPECT_THAT(shared_decision(data).text(), HasSubstr("others took 45 % of the processor while it timed"));
-    data.meta[0].second = R"({"build":"b","cells":5,"done":5,"ended":"x","others":0.1})";
+    EXPECT_THAT(shared_decision(data).text(),
+                HasSubstr("others took 45 % of the processor while it was timed"));
+    for (ReportCell& cell : data.cells) cell.others = 0.1;
     EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f32");
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "edgewise/scene/rng.hpp"
+#include "edgewise/scene/scenes.hpp"
 
 namespace edgewise::studies::advise {
 namespace {
@@ -24,9 +25,23 @@ using testing::IsEmpty;
 CaseAsked three_spheres(double error_limit) {
     CaseAsked asked;
     asked.shape = {"sphere386", "built-in", *scene::make_shape("sphere386"), {}};
-    asked.scene = tumbling(3, 0.1);
+    asked.scene = usual_scene(false, 3, 0.1);
     asked.error_limit = error_limit;
     return asked;
+}
+
+/// `advise` and the page answer the same question about a body.
+TEST(Screen, TheUsualScenesAreScenesOfPlanQuick) {
+    const auto numbers = [](const sweep::SceneChoice& scene) {
+        return scene::complete_parameters(scene.name, scene.parameters).or_throw();
+    };
+    const sweep::Plan quick = sweep::make_plan("quick");
+    for (const bool own_tables : {false, true}) {
+        const sweep::SceneChoice asked = usual_scene(own_tables, usual_bodies(own_tables), usual_turn);
+        EXPECT_TRUE(std::ranges::any_of(quick.scenes, [&](const sweep::SceneChoice& scene) {
+            return scene.name == asked.name && numbers(scene) == numbers(asked);
+        })) << asked.name;
+    }
 }
 
 constexpr ScreenOptions short_look{.queries = 60, .checked = 6, .passes = 1, .slowest = 1e9};
