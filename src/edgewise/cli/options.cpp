@@ -152,9 +152,21 @@ CLI::Option* add_svg_option(CLI::App& command, std::string& file) {
     return add_output_file(command, "--svg", file, "file to write: the picture as SVG");
 }
 
+namespace {
+
+/// Finds a mesh file that a report names without its folder among those that plans bring with them.
+std::string found_mesh(const std::string& name) {
+    if (!scene::names_mesh_file(name) || std::filesystem::exists(name)) return name;
+    const std::string own = sweep::file_beside_builds("meshes", name);
+    return std::filesystem::exists(own) ? own : name;
+}
+
+}  // namespace
+
 CLI::Option* add_shape_option(CLI::App& command, std::string& shape, bool& as_stored, const char* names) {
     if (!command.get_option_no_throw("--as-stored")) add_as_stored_option(command, as_stored);
     return command.add_option(names, shape, "body: built in (edgewise list shapes), or a mesh file")
+        ->transform(found_mesh)
         ->type_name(shape_type)
         ->capture_default_str();
 }
@@ -163,6 +175,7 @@ CLI::Option* add_shapes_option(CLI::App& command, std::vector<std::string>& shap
     add_as_stored_option(command, as_stored);
     return add_names(command, "--shape,--shapes,--mesh", shapes,
                      "only these bodies: built in (edgewise list shapes), or mesh files")
+        ->transform(found_mesh)
         ->type_name(shape_type);
 }
 

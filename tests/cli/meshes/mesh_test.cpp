@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli_paths.hpp"
 #include "program.hpp"
 
 namespace edgewise::cli_test {
@@ -267,6 +269,18 @@ TEST(Budget, SaysThatACountIsNotEnoughForATolerance) {
         run({"advise", "budget", "--shape", "cube8", "--vertices", "4", "--out", "no/such/a.obj"}, folder)
             .exit_code,
         2);
+}
+
+/// Reports name the bodies of plan `quick` by their files alone, and print commands with these names.
+TEST(Meshes, ThatPlansBringAreFoundByTheirName) {
+    const Folder folder;
+    const auto own = std::filesystem::path(program_path).parent_path().parent_path() / "meshes/hubo_foot.stl";
+    const Outcome outcome = run({"bytes", "--shape", "hubo_foot.stl", "--layouts", "lean_f64"}, folder);
+    EXPECT_EQ(outcome.exit_code, std::filesystem::exists(own) ? 0 : 2) << outcome.err;
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("hubo_foot"));
+    folder.write("hubo_foot.stl", "no mesh");
+    EXPECT_EQ(run({"bytes", "--shape", "hubo_foot.stl"}, folder).exit_code, 2)
+        << "a file that is here goes before";
 }
 
 }  // namespace
