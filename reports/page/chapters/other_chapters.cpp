@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +56,46 @@ TextGrid study_grid(const std::vector<const ReportCell*>& cells, const StudyJson
     return grid;
 }
 
+/// How differently two scenes move, by rows of the study `coherence`: a factor of ten in turn or way counts
+/// as much as a third of all pairs that overlap or are near. Infinite if a figure is missing.
+double motion_distance(const ReportCell& a, const ReportCell& b) {
+    constexpr double least = 1e-7, of_shares = 3;
+    double sum = 0;
+    const auto add = [&](const char* name, const auto& apart) {
+        const auto of_a = a.figure("coherence", name).value, of_b = b.figure("coherence", name).value;
+        const double one = of_a && of_b ? apart(*of_a, *of_b) : std::numeric_limits<double>::infinity();
+        sum += one * one;
+    };
+    for (const char* name : {"turn_median", "turn_p90", "way_median"})
+        add(name, [&](double x, double y) { return std::log10(std::max(x, least) / std::max(y, least)); });
+    for (const char* name : {"overlapping", "near", "very_near"})
+        add(name, [&](double x, double y) { return of_shares * (x - y); });
+    return sum;
+}
+
+/// Names the invented scene that moves most like each recorded one.
+std::string nearest_motions(const std::vector<const ReportCell*>& cells) {
+    std::string text;
+    const auto is_recorded = [](const ReportCell* cell) {
+        return parameter_of(*cell, "recording").has_value();
+    };
+    for (const ReportCell* recorded : cells) {
+        if (!is_recorded(recorded)) continue;
+        const ReportCell* nearest = nullptr;
+        double least = std::numeric_limits<double>::infinity();
+        for (const ReportCell* invented : cells) {
+            const double apart = is_recorded(invented) ? least : motion_distance(*recorded, *invented);
+            if (apart < least) least = apart, nearest = invented;
+        }
+        if (nearest)
+            append(text,
+                   fmt::format("{} moves most like {} of {}", recorded->scene, nearest->scene_label,
+                               nearest->shape),
+                   "; ");
+    }
+    return text.empty() ? text : text + ".";
+}
+
 /// Returns the name as the page's links have it: letters, digits and '-'.
 std::string id_of(std::string name) {
     std::ranges::replace_if(
@@ -77,6 +119,7 @@ std::vector<Chapter> study_chapters(const ReportData& data) {
             member<std::string>(about, "text", "The store does not describe the figures of this study.");
         chapter.blocks = {{.grids = {study_grid(cells, columns.is_array() ? columns : StudyJson::array())}}};
         chapter.link = name;
+        if (name == "coherence") chapter.sentence = nearest_motions(cells);
     }
     return chapters;
 }

@@ -141,5 +141,30 @@ TEST(SafeSvg, SlimPicturesHaveOneLabelAndShortNumbers) {
         << "text is no coordinate and no attribute";
 }
 
+/// A wall at rest is like bodies at rest, not like a scene as slow without overlapping pairs, or one that
+/// lacks figures.
+TEST(StudyChapters, NameTheInventedSceneThatMovesMostLikeARecordedOne) {
+    ReportData data;
+    const auto add = [&](const char* scene, const char* parameters, double turn,
+                         std::optional<double> overlapping) {
+        ReportCell row;
+        row.run = "coherence", row.scene = row.scene_label = scene, row.shape = "box8";
+        row.scene_parameters = parameters;
+        for (const char* name : {"turn_median", "turn_p90", "way_median"})
+            row.figures.push_back({{name, turn, "rad", "", ""}, "coherence"});
+        for (const char* name : {"overlapping", "near", "very_near"})
+            row.figures.push_back({{name, overlapping, "1", "", ""}, "coherence"});
+        data.other_studies.push_back(row);
+    };
+    add("wall", R"({"recording":7.0})", 1e-5, 0.3);
+    add("resting", "{}", 2e-5, 0.25);
+    add("proximity", "{}", 1e-5, 0.0);
+    add("tumble", "{}", 0.01, 0.3);
+    add("cold", "{}", 1e-5, std::nullopt);
+    const std::vector<Chapter> chapters = study_chapters(data);
+    ASSERT_EQ(chapters.size(), 1U);
+    EXPECT_EQ(chapters[0].sentence, "wall moves most like resting of box8.");
+}
+
 }  // namespace
 }  // namespace edgewise::reports
