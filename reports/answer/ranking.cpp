@@ -108,8 +108,8 @@ std::string noise_of(const SceneRanking& scene, std::span<const ReportCell* cons
     for (const ReportCell* cell : cells) others = std::max(others, cell->others);
     if (others > measure::most_of_others)
         return fmt::format(
-            "others took {:.0f} % of the processor while it was timed: measure it into a new "
-            "store when the machine is quiet",
+            "others took {:.0f} % of the processor while it was timed; measure again when the machine is "
+            "quiet, a sweep into a new store",
             100 * others);
     const RankedCell* const winner = scene.winner();
     return winner && winner->high() > widest_interval * winner->low()

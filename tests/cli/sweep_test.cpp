@@ -44,6 +44,17 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     }
 }
 
+/// Plan quick asks GJK on aos elsewhere, in no scene of pressure.
+TEST(Sweep, NamedLayoutsAreAskedInScenesThatThePlanRestricts) {
+    const Folder folder;
+    const Outcome outcome =
+        run({"sweep", "--scenes", "pressure", "--shapes", "tetra4", "--layouts", "aos_f64", "--queries",
+             "100", "--checked", "5", "--rounds", "2", "--no-report", "--json"},
+            folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["cells"], 2 * 2) << "two numbers of bodies, two algorithms";
+}
+
 TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     const Folder folder;
     const Outcome outcome = run(

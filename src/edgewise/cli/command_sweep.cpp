@@ -172,6 +172,7 @@ sweep::Plan chosen_plan(const SweepArguments& options) {
     replace(plan.layouts, options.layouts);
     for (sweep::SceneChoice& scene : plan.scenes) {
         if (scene::is_scene_file(scene.name)) replace(scene.layouts, options.layouts);
+        if (!options.layouts.empty() || !options.algorithms.empty()) scene.pairs.clear();
     }
     replace(plan.algorithms, options.algorithms);
     replace(plan.peers, options.peers);
