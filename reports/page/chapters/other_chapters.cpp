@@ -73,7 +73,7 @@ double motion_distance(const ReportCell& a, const ReportCell& b) {
     return sum;
 }
 
-/// Names the invented scene that moves most like each recorded one.
+/// Names the invented scene, with tables shared the same way, that moves most like each recorded one.
 std::string nearest_motions(const std::vector<const ReportCell*>& cells) {
     std::string text;
     const auto is_recorded = [](const ReportCell* cell) {
@@ -84,14 +84,16 @@ std::string nearest_motions(const std::vector<const ReportCell*>& cells) {
         const ReportCell* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
         for (const ReportCell* invented : cells) {
-            const double apart = is_recorded(invented) ? least : motion_distance(*recorded, *invented);
+            if (is_recorded(invented) || has_own_tables(*invented) != has_own_tables(*recorded)) continue;
+            const double apart = motion_distance(*recorded, *invented);
             if (apart < least) least = apart, nearest = invented;
         }
-        if (nearest)
-            append(text,
-                   fmt::format("{} moves most like {} of {}", recorded->scene, nearest->scene_label,
-                               nearest->shape),
-                   "; ");
+        if (!nearest) continue;
+        store::CellRow scene = *nearest;
+        scene.run = store::sweep_run;
+        append(text,
+               fmt::format("{} moves most like {} of {}", recorded->scene, scene_label(scene), scene.shape),
+               "; ");
     }
     return text.empty() ? text : text + ".";
 }

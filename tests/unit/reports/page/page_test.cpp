@@ -142,13 +142,13 @@ TEST(SafeSvg, SlimPicturesHaveOneLabelAndShortNumbers) {
 }
 
 /// A wall at rest is like bodies at rest, not like a scene as slow without overlapping pairs, or one that
-/// lacks figures.
+/// lacks figures or has tables of another kind.
 TEST(StudyChapters, NameTheInventedSceneThatMovesMostLikeARecordedOne) {
     ReportData data;
     const auto add = [&](const char* scene, const char* parameters, double turn,
                          std::optional<double> overlapping) {
         ReportCell row;
-        row.run = "coherence", row.scene = row.scene_label = scene, row.shape = "box8";
+        row.run = "coherence", row.scene = scene, row.shape = "box8";
         row.scene_parameters = parameters;
         for (const char* name : {"turn_median", "turn_p90", "way_median"})
             row.figures.push_back({{name, turn, "rad", "", ""}, "coherence"});
@@ -161,6 +161,7 @@ TEST(StudyChapters, NameTheInventedSceneThatMovesMostLikeARecordedOne) {
     add("proximity", "{}", 1e-5, 0.0);
     add("tumble", "{}", 0.01, 0.3);
     add("cold", "{}", 1e-5, std::nullopt);
+    add("pressure", R"({"own_tables":1.0})", 1e-5, 0.3);
     const std::vector<Chapter> chapters = study_chapters(data);
     ASSERT_EQ(chapters.size(), 1U);
     EXPECT_EQ(chapters[0].sentence, "wall moves most like resting of box8.");
