@@ -174,8 +174,13 @@ constexpr double as_fast = 1.05;
 /// By algorithm and table type.
 using Tallies = std::map<std::pair<std::string, std::string>, Tally>;
 
-/// Keeps those that tie in most scenes, and of these the ones that are as fast on average.
-void keep_best(Tallies& tallies) {
+/// Drops what is slower on average than the paper's layout, if that ties somewhere. Keeps those that tie in
+/// most scenes, and of these the ones that are as fast on average.
+void keep_best(Tallies& tallies, const Baseline& paper) {
+    if (const auto own = tallies.find({paper.algorithm, paper.table}); own != tallies.end()) {
+        const double ratio = own->second.ratio();
+        std::erase_if(tallies, [ratio](const auto& one) { return one.second.ratio() > ratio; });
+    }
     const auto tally_of = [](const auto& one) -> const Tally& { return one.second; };
     const Tally most = std::ranges::min_element(tallies, &Tally::ties_in_more_than, tally_of)->second;
     std::erase_if(tallies, [&](const auto& one) { return most.ties_in_more_than(one.second); });
@@ -276,7 +281,7 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
     }
     std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
     if (tallies.empty()) return std::nullopt;
-    keep_best(tallies);
+    keep_best(tallies, scenes.front().ratios_to);
     const auto best = std::ranges::min_element(
         tallies, [](const auto& a, const auto& b) { return a.second.better_than(b.second); });
     Recommendation take{best->first.first, best->first.second, {}};
