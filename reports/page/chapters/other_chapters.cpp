@@ -91,9 +91,7 @@ std::string nearest_motions(const std::vector<const ReportCell*>& cells) {
         if (!nearest) continue;
         store::CellRow scene = *nearest;
         scene.run = store::sweep_run;
-        append(text,
-               fmt::format("{} moves most like {} of {}", recorded->scene, scene_label(scene), scene.shape),
-               "; ");
+        append(text, fmt::format("{} moves most like {}", recorded->scene, scene_label(scene)), "; ");
     }
     return text.empty() ? text : text + ".";
 }

@@ -164,7 +164,7 @@ TEST(StudyChapters, NameTheInventedSceneThatMovesMostLikeARecordedOne) {
     add("pressure", R"({"own_tables":1.0})", 1e-5, 0.3);
     const std::vector<Chapter> chapters = study_chapters(data);
     ASSERT_EQ(chapters.size(), 1U);
-    EXPECT_EQ(chapters[0].sentence, "wall moves most like resting of box8.");
+    EXPECT_EQ(chapters[0].sentence, "wall moves most like resting.");
 }
 
 }  // namespace
