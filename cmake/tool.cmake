@@ -162,7 +162,7 @@ add_library(edgewise_cli OBJECT ${cli_sources} ${PROJECT_BINARY_DIR}/registry/ex
 add_dependencies(edgewise_cli edgewise_revision)
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # Templates of the parser of options: they need not be fast, and take three times as long to compile with optimisation.
-target_compile_options(edgewise_cli PRIVATE -O0)
+target_compile_options(edgewise_cli PRIVATE -Og)
 target_compile_definitions(edgewise_cli PRIVATE ${EDGEWISE_CHECKED})
 edgewise_unite(edgewise_cli)
 edgewise_precompile(edgewise_cli <CLI/CLI.hpp> <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp>)

@@ -33,7 +33,7 @@ class error {
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(Answers answers,
-                                                              const measure::AnswerCounts& counts) {
+                                                              const bench::AnswerCounts& counts) {
         const auto count = [&](auto is) {
             return static_cast<double>(std::count_if(answers.begin(), answers.end(), is));
         };
@@ -73,7 +73,7 @@ class error {
     using Error = double truth::CheckedAnswer::*;
     static constexpr Error stored = &truth::CheckedAnswer::error, given = &truth::CheckedAnswer::error_given;
 
-    static void add_steps(const measure::AnswerCounts& counts, std::vector<measure::Figure>& all) {
+    static void add_steps(const bench::AnswerCounts& counts, std::vector<measure::Figure>& all) {
         const std::uint64_t warm = counts.warm, cold = counts.queries - warm;
         store::add_means(store::mean_steps,
                          {counts.steps, counts.steps - counts.warm_steps, counts.warm_steps},

@@ -43,7 +43,7 @@ class work {
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(const AlgorithmWork& inside,
-                                                              const measure::AnswerCounts& counts,
+                                                              const bench::AnswerCounts& counts,
                                                               Needs needs = Needs::witnesses) {
         std::vector<measure::Figure> all = of_warm(counts, needs);
         if (inside.queries == 0) {
@@ -69,7 +69,7 @@ class work {
 
   private:
     /// Figures of warm queries: ended where they started, or decided by bounds and so without a start.
-    [[nodiscard]] static std::vector<measure::Figure> of_warm(const measure::AnswerCounts& counts,
+    [[nodiscard]] static std::vector<measure::Figure> of_warm(const bench::AnswerCounts& counts,
                                                               Needs needs) {
         const char* const cold = "no query starts warm";
         const store::FigureName unchanged("work.unchanged"), told("work.told_by_bounds");
@@ -86,7 +86,7 @@ class work {
     }
 
     /// How many queries are their pair's first, where pairs are followed.
-    [[nodiscard]] static std::vector<measure::Figure> of_first(const measure::AnswerCounts& counts) {
+    [[nodiscard]] static std::vector<measure::Figure> of_first(const bench::AnswerCounts& counts) {
         const store::FigureName first("work.first_queries"), share_of("work.first_share");
         if (!counts.follows_pairs || counts.queries == 0) {
             const char* const reason = "no pair is followed: every query starts cold";

@@ -4,6 +4,7 @@
 // one file and one line in probes/CMakeLists.txt.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,7 +14,6 @@
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
-#include "edgewise/measure/answer_counts.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/truth/checked_answer.hpp"
@@ -45,6 +45,18 @@ struct CacheOrder {
     [[nodiscard]] double identity() const;
 };
 
+/// What was counted over all answers of a cell.
+struct AnswerCounts {
+    std::uint64_t queries = 0, steps = 0, fallbacks = 0, cycles = 0;
+    int max_steps = 0;
+    std::uint64_t refinements = 0, escapes = 0;
+    std::uint64_t warm = 0, unchanged = 0;  ///< queries that start warm; those that end where they started
+    std::uint64_t told = 0;                 ///< warm ones that the pair's bounds answered, in no step
+    std::uint64_t warm_steps = 0;           ///< of the steps, those of queries that started warm
+    int max_warm_steps = 0, max_cold_steps = 0;
+    bool follows_pairs = false;  ///< else every query starts cold
+};
+
 /// A cell at work: the tables are loaded and the answers checked. Whatever else a probe wants to know it
 /// finds out itself, by asking the runner.
 struct ProbedCell {
@@ -57,7 +69,7 @@ struct ProbedCell {
     bool verified = true;                                 ///< else a checked answer is wrong
     std::span<const std::size_t> checked_positions = {};  ///< of the queries that were checked
     std::span<const truth::CheckedAnswer> checked = {};   ///< in that order
-    measure::AnswerCounts counts = {};                    ///< of all answers
+    AnswerCounts counts = {};                             ///< of all answers
     std::span<const measure::Round> rounds = {};          ///< timed so far
     CacheOrder caches = {};                               ///< what is to be modelled
     SharedResults shared = {};

@@ -128,9 +128,12 @@ void narrow_studies(const SweepArguments& options, sweep::Plan& plan) {
     if (options.effort) plan.studies["effort"] = *options.effort;
 }
 
-/// What a further process measures: times and their errors, of fewer checked answers.
+/// What a further process measures: times and their errors, of fewer checked answers. Its result is a median
+/// without an interval of its own, so fewer rounds do.
 void keep_to_times(sweep::Plan& plan) {
     constexpr std::size_t most_checked = 50;
+    constexpr int most_rounds = 5;
+    plan.rounds = std::min(plan.rounds, most_rounds);
     plan.checked = std::min(plan.checked, most_checked);
     plan.probes = {"time", "error"};
     plan.peers.clear();

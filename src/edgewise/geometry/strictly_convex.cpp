@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/hull/extreme_frame.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/geometry/tolerance.hpp"
@@ -62,9 +63,17 @@ class Turns {
     double least_, reach_ = 0;
 };
 
+/// Returns true if a ball around the vertices' mean, far wider than a thin solid, lies inside all faces.
+bool holds_ball(const Polyhedron& body) {
+    Vec3d mean = Vec3d::Zero();
+    for (const Vec3d& v : body.vertices) mean += v / static_cast<double>(body.vertex_count());
+    const double radius = 0x1p-8 * norm(box_of(body.vertices).sides());
+    return std::ranges::all_of(body.face_planes, [&](const auto& p) { return p.distance(mean) < -radius; });
+}
+
 /// Returns true for a solid thinner than thin_solid; a polygon is flat, not thin.
 bool is_thin(const Polyhedron& body) {
-    return body.face_count() > 2 &&
+    return body.face_count() > 2 && !holds_ball(body) &&
            extreme_frame(body.vertices, distinct_points(body.vertices)).across_plane < thin_solid;
 }
 

@@ -141,8 +141,8 @@ std::string what_is_wrong(const SharedQueries& shared, std::span<const truth::Ch
         first->band.over_scale(first->witness_error), truth::allowed_errors(eps).distance);
 }
 
-measure::AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {
-    measure::AnswerCounts counts;
+bench::AnswerCounts count_answers(std::span<const Distance> answers, std::span<const std::uint8_t> cold) {
+    bench::AnswerCounts counts;
     counts.queries = answers.size();
     counts.follows_pairs = !cold.empty();
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -207,12 +207,6 @@ double PreparedCell::mean_steps() const {
 
 double PreparedCell::distances(std::size_t queries) const {
     return queries > 0 ? distances_[queries - 1] : 0;
-}
-
-double PreparedCell::ns_per_query(double clock_cost_ns) const {
-    const auto first = runner_->time({}, clock_cost_ns).all(),
-               second = runner_->time({}, clock_cost_ns).all();
-    return std::min(first.value_or(0), second.value_or(0));
 }
 
 void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(std::size_t)>& take) {

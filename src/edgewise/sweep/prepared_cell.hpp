@@ -15,7 +15,6 @@
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/bench/trace/touched_tables.hpp"
 #include "edgewise/bench/trace/walk.hpp"
-#include "edgewise/measure/answer_counts.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/store/store.hpp"
@@ -75,8 +74,8 @@ using MarginOf = std::function<double(const scene::Query&)>;
                                         std::span<const truth::CheckedAnswer> checked, double eps);
 
 /// `cold`: a flag per query, from cold_starts; empty for a scene without warm pairs: all queries are cold.
-[[nodiscard]] measure::AnswerCounts count_answers(std::span<const Distance> answers,
-                                                  std::span<const std::uint8_t> cold = {});
+[[nodiscard]] bench::AnswerCounts count_answers(std::span<const Distance> answers,
+                                                std::span<const std::uint8_t> cold = {});
 
 class PreparedCell {
   public:
@@ -98,7 +97,7 @@ class PreparedCell {
     /// Results of check(): the checked answers, the error text (empty: all right), and counts of all answers.
     [[nodiscard]] const std::vector<truth::CheckedAnswer>& checked() const { return checked_; }
     [[nodiscard]] const std::string& wrong() const { return wrong_; }
-    [[nodiscard]] const measure::AnswerCounts& counts() const { return counts_; }
+    [[nodiscard]] const bench::AnswerCounts& counts() const { return counts_; }
     [[nodiscard]] double mean_steps() const;
     /// Returns the sum of the distances of the first `queries` answers, added in order.
     [[nodiscard]] double distances(std::size_t queries) const;
@@ -107,9 +106,6 @@ class PreparedCell {
     [[nodiscard]] measure::Timing time(double clock_cost_ns) const {
         return runner_->time(in_contact_, clock_cost_ns);
     }
-    /// Returns ns per query: the faster of two passes. The tables are not in the caches when the first pass
-    /// starts, and an interrupt rarely hits both passes.
-    [[nodiscard]] double ns_per_query(double clock_cost_ns) const;
 
   private:
     const bench::TableType* type_;
@@ -120,7 +116,7 @@ class PreparedCell {
     std::vector<double> distances_;         ///< running sums of the answers' distances, query by query
     std::vector<truth::CheckedAnswer> checked_;
     std::string wrong_;
-    measure::AnswerCounts counts_;
+    bench::AnswerCounts counts_;
 };
 
 /// Calls `take(i)` once for each i below `count`, in an order drawn from the seed: the order of a round.

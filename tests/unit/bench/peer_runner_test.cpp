@@ -143,6 +143,22 @@ TEST(PeerRunner, KeepsCachesOfWarmScenesAndSetsThemBack) {
     EXPECT_EQ(warm_starts, 0);
 }
 
+/// So a time does not depend on what was measured before it.
+TEST(PeerRunner, ATimedPassFollowsOneThatIsNotTimedOrTwoShortOnes) {
+    for (const auto& [queries, passes] : {std::pair{600, 3}, {3000, 2}}) {
+        const scene::Workload warm = workload_of("tumble", static_cast<std::size_t>(queries));
+        PeerRunner runner(own);
+        ASSERT_EQ(runner.load(warm), "");
+        warm_starts = 0;
+        static_cast<void>(runner.answer());
+        const int in_a_pass = warm_starts;
+        warm_starts = 0;
+        const measure::Timing timed = runner.time({}, 0);
+        EXPECT_EQ(warm_starts, passes * in_a_pass) << queries;
+        EXPECT_EQ(timed.either_queries + timed.first_queries, warm.queries.size());
+    }
+}
+
 TEST(PeerRunner, CountsWhatShapesAllocate) {
     const scene::Workload workload = workload_of("cold", 10);
     PeerRunner runner(own);

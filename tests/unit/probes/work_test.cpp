@@ -68,7 +68,7 @@ TEST(Work, SaysWhyItDoesNotLook) {
 }
 
 TEST(Work, IsSharesOfWhatWasLookedAt) {
-    measure::AnswerCounts counts;
+    bench::AnswerCounts counts;
     counts.warm = 800;
     counts.unchanged = 200;
     const auto not_looked = by_name(work::figures({}, counts));

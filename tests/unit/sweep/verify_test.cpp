@@ -216,7 +216,7 @@ TEST_F(Verify, CountsEverything) {
     answers_[2].steps = 9;
     answers_[3].refinements = 1;
     answers_[4].escapes = 3;
-    const measure::AnswerCounts counts = count_answers(answers_);
+    const bench::AnswerCounts counts = count_answers(answers_);
     EXPECT_EQ(counts.queries, 120U);
     EXPECT_EQ(counts.steps, 247U);
     EXPECT_EQ(counts.fallbacks, 2U);

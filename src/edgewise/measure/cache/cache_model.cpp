@@ -35,17 +35,18 @@ CacheLevel::CacheLevel(std::uint32_t sets, std::uint32_t ways, Replacement repla
       times_(lines_.size(), 0),
       used_(lines_.size(), 0),
       dirty_(lines_.size(), 0),
-      last_(sets, 0),
-      trees_(replacement == Replacement::tree_plru ? sets : 0, 0) {
+      trees_(replacement == Replacement::tree_plru ? sets : 0, 0),
+      last_places_(recent_lines, 0) {
     assert(sets > 0 && ways > 0 && (ways <= most_tree_ways || replacement != Replacement::tree_plru));
 }
 
-/// Every node above the way last used points to the other side.
-void CacheLevel::point_away(std::uint64_t set) {
+/// Every node above the way used at `place` points to the other side.
+void CacheLevel::point_away(Place place) {
+    const std::uint64_t set = place / ways_, way = place % ways_;
     for (std::uint32_t first = 0, last = ways_; last - first > 1;) {
         const std::uint32_t split = middle(first, last);
         const std::uint64_t bit = std::uint64_t{1} << split;
-        if (last_[set] < split) {
+        if (way < split) {
             trees_[set] |= bit;
             last = split;
         } else {

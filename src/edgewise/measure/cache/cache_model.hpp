@@ -17,6 +17,7 @@
 // one miss at most (`merge`, as Cachegrind counts).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -61,20 +62,17 @@ class CacheLevel {
 
     /// Returns the position of the line, without using it; `nowhere` if it is not in the level.
     [[nodiscard]] Place find(std::uint64_t line) const {
-        const std::uint64_t set = set_of(line);
-        const std::uint64_t* const ways = lines_.data() + set * ways_;
-        if (ways[last_[set]] == line) return set * ways_ + last_[set];
-        // To the end even when found: as vectors, without a jump.
-        std::uint32_t at = ways_;
-        for (std::uint32_t way = 0; way < ways_; ++way) at = ways[way] == line ? way : at;
-        return at == ways_ ? nowhere : set * ways_ + at;
+        if (const Place last = last_places_[line % recent_lines]; lines_[last] == line) return last;
+        const Place first = set_of(line) * ways_;
+        const auto ways = std::span(lines_).subspan(first, ways_);
+        const auto found = std::find(ways.begin(), ways.end(), line);
+        return found == ways.end() ? nowhere : first + static_cast<Place>(found - ways.begin());
     }
     /// Notes that the line at `place` is used now.
     void use(std::uint64_t line, Place place) {
-        const std::uint64_t set = set_of(line);
-        last_[set] = static_cast<std::uint32_t>(place - set * ways_);
+        last_places_[line % recent_lines] = place;
         times_[place] = ++now_;
-        if (replacement_ == Replacement::tree_plru) point_away(set);
+        if (replacement_ == Replacement::tree_plru) point_away(place);
     }
     void note(Place place, std::uint64_t parts, bool dirty) {
         used_[place] |= parts;
@@ -103,9 +101,10 @@ class CacheLevel {
         return {lines_[place], used_[place], dirty_[place] != 0};
     }
     [[nodiscard]] std::uint32_t victim(std::uint64_t set);
-    void point_away(std::uint64_t set);
+    void point_away(Place place);
 
     static constexpr std::uint64_t none = ~std::uint64_t{0};
+    static constexpr std::size_t recent_lines = 1024;
 
     std::uint32_t sets_, ways_;
     Replacement replacement_;
@@ -113,9 +112,10 @@ class CacheLevel {
     // Set after set:
     std::vector<std::uint64_t> lines_, times_, used_;  ///< times_: of the last use; 0: nothing is there
     std::vector<std::uint8_t> dirty_;
-    // By set:
-    std::vector<std::uint32_t> last_;   ///< the way last used
-    std::vector<std::uint64_t> trees_;  ///< of tree_plru: bit k is the node that splits before way k
+    std::vector<std::uint64_t> trees_;  ///< of tree_plru, by set: bit k is the node that splits before way k
+    /// Where the last line with this remainder was found: one look, where a fully associative level compares
+    /// all its ways.
+    std::vector<Place> last_places_;
     std::uint64_t now_ = 0, random_ = 0;
 };
 

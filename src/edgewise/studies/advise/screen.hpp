@@ -78,7 +78,7 @@ struct ScreenedCell {
 
 struct ScreenOptions {
     std::size_t queries = 1500, checked = 60;
-    int passes = 5;
+    int passes = 3;
     double slowest = 1.3;  ///< times the fastest that is not dropped; slower cells are dropped
 };
 

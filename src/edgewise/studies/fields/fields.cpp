@@ -175,8 +175,8 @@ class FieldsRun {
         const double clock_cost_ns = measure::calibrate();
         for (int round = 0; round < plan_.rounds; ++round) {
             sweep::take_turns(standing_.size(), static_cast<std::uint64_t>(round) + 1, [&](std::size_t i) {
-                standing_[i].contender.ns.push_back(
-                    standing_[i].cell->prepared().ns_per_query(clock_cost_ns));
+                const measure::Timing timed = standing_[i].cell->runner().time({}, clock_cost_ns);
+                standing_[i].contender.ns.push_back(timed.all().value_or(0));
             });
             on_round();
         }

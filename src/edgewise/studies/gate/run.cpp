@@ -268,7 +268,7 @@ GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::st
 void GateGroup::time_round(int number, const GateKernel& kernel, double clock_cost_ns) {
     sweep::take_turns(cells_.size() + 1, static_cast<std::uint64_t>(number) + 1, [&](std::size_t i) {
         if (i < cells_.size()) {
-            cells_[i].ns.push_back(cells_[i].cell.ns_per_query(clock_cost_ns));
+            cells_[i].ns.push_back(cells_[i].cell.runner().time({}, clock_cost_ns).all().value_or(0));
         } else {
             kernel_ns_.push_back(std::min(kernel.time_ns(), kernel.time_ns()));
         }
