@@ -161,7 +161,8 @@ edgewise_sources(cli_sources src/edgewise/cli)
 add_library(edgewise_cli OBJECT ${cli_sources} ${PROJECT_BINARY_DIR}/registry/example_texts.cpp ${revision})
 add_dependencies(edgewise_cli edgewise_revision)
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
-# Templates of the parser of options: they need not be fast, and take three times as long to compile with optimisation.
+# Templates of the parser of options need not be fast, and more optimisation takes a third more time to compile. But not -O0: of an
+# inline function the linker keeps one copy for the whole program, perhaps that of these objects.
 target_compile_options(edgewise_cli PRIVATE -Og)
 target_compile_definitions(edgewise_cli PRIVATE ${EDGEWISE_CHECKED})
 edgewise_unite(edgewise_cli)

@@ -85,7 +85,7 @@ constexpr std::uint64_t most_bytes = 1 << 28;
 /// Returns ns per load over this many bytes: the shortest pass after one that fills the caches.
 double load_ns(std::uint64_t bytes) {
     RandomChase chase(std::clamp(bytes, line_bytes, most_bytes));
-    chase.run(chase.lines());
+    chase.run(2 * chase.lines());
     double shortest = 0;
     for (int pass = 0; pass < passes; ++pass) {
         const Stopwatch watch;
