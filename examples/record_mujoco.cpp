@@ -5,7 +5,7 @@
 // dynamics. Positions are those of the step that MuJoCo is about to take (after mj_step1), as are contacts.
 // It does not expose the pairs of its broad phase, so the reader finds pairs by the model's own rules: bits,
 // links, parents, excluded bodies. Vertices of a mesh lie in the frame that MuJoCo gave the mesh when it
-// compiled the model; the geom's position is in that frame.
+// compiled the model; the geom's position is in that frame. A cylinder becomes a prism around it.
 //
 // record_mujoco MODEL [SECONDS [RATE [JOINTS]]]: `edgewise record` calls it. At rate 0 every step is
 // recorded. JOINTS: their speed in rad/s, or in lengths per second; 0: dynamics.
@@ -42,6 +42,17 @@ std::string file_of(const std::string& model) {
     throw std::invalid_argument("no such file, nor a model of Debian's libmujoco-samples");
 }
 
+/// A prism around the cylinder, along z; 1 / cos(pi / 32) is 1.0048.
+std::vector<MujocoRecorder::Vector> prism_around(double radius, double half_length) {
+    constexpr int sides = 32;
+    const double step = mjPI / sides, outer = radius / std::cos(step);
+    std::vector<MujocoRecorder::Vector> vertices;
+    for (int i = 0; i < 2 * sides; ++i)
+        vertices.push_back({outer * std::cos((i | 1) * step), outer * std::sin((i | 1) * step),
+                            i % 2 == 0 ? half_length : -half_length});
+    return vertices;
+}
+
 /// Position and quaternion; the quaternion is w x y z in MuJoCo too.
 MujocoRecorder::Pose pose_of(const mjtNum* position, const mjtNum* quaternion) {
     MujocoRecorder::Pose pose{};
@@ -66,6 +77,11 @@ class MujocoModel {
     void record(double seconds, double rate, double joint_speed) {
         MujocoRecorder recorder(std::cout, std::string("MuJoCo ") + mj_versionString(), model_->opt.timestep);
         add_bodies(recorder);
+        if (cylinders_ > 0)
+            std::fprintf(
+                stderr,
+                "%d cylinders are recorded as prisms of 32 sides around them, which are at their edges 0.5 %% of the radius wider\n",
+                cylinders_);
         if (bodies_.empty()) throw std::invalid_argument("no geometry of the model takes part in collisions");
         joint_speed > 0 ? record_joints(seconds, rate, joint_speed, recorder)
                         : record_dynamics(seconds, rate, recorder);
@@ -161,7 +177,8 @@ class MujocoModel {
             case mjGEOM_PLANE:
                 return shape = recorder.add_other("plane");
             case mjGEOM_CYLINDER:
-                return shape = recorder.add_other("cylinder");
+                ++cylinders_;
+                return shape = recorder.add_hull(prism_around(size[0], size[1]));
             case mjGEOM_ELLIPSOID:
                 return shape = recorder.add_other("ellipsoid");
             default:
@@ -215,6 +232,7 @@ class MujocoModel {
     std::map<std::array<double, 5>, std::size_t> shapes_;
     std::map<int, std::size_t> bodies_;  ///< by geom
     int links_ = 0;                      ///< up to the last that has a geom
+    int cylinders_ = 0;                  ///< different ones
     std::minstd_rand random_;
 };
 

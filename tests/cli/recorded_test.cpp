@@ -241,6 +241,28 @@ TEST(Recorded, ByMujocoHasItsFrames) {
     EXPECT_EQ(asked.exit_code, 0) << asked.err;
 }
 
+TEST(Recorded, ACylinderOfMujocoIsAPrismAroundIt) {
+    if (!has_recorder("record_mujoco")) GTEST_SKIP() << "no MuJoCo here (Debian: libmujoco-dev)";
+    const Folder folder;
+    folder.write("can.xml",
+                 R"(<mujoco><worldbody><geom type="cylinder" size="0.5 0.75"/></worldbody></mujoco>)");
+    const Outcome outcome = run({"record", "can.xml", "--seconds", "0.01", "--out", "can.jsonl"}, folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("1 cylinders are recorded as prisms of 32 sides around them"));
+    const json vertices = json::parse(lines_of(text_of(folder / "can.jsonl")).at(0))["shapes"][0]["vertices"];
+    ASSERT_EQ(vertices.size(), 64U);
+    double nearest_side = 9;
+    for (std::size_t i = 0; i < vertices.size(); i += 2) {
+        EXPECT_EQ(vertices[i][2], 0.75);
+        EXPECT_EQ(vertices[i + 1][2], -0.75);
+        const json &from = vertices[i], &to = vertices[(i + 2) % vertices.size()];
+        const double x = (from[0].get<double>() + to[0].get<double>()) / 2,
+                     y = (from[1].get<double>() + to[1].get<double>()) / 2;
+        nearest_side = std::min(nearest_side, std::hypot(x, y));
+    }
+    EXPECT_NEAR(nearest_side, 0.5, 1e-12) << "sides touch the cylinder";
+}
+
 constexpr const char* arm = R"(<robot name="arm">
   <link name="base"><collision><geometry><box size="0.4 0.4 0.1"/></geometry></collision></link>
   <link name="upper"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>

@@ -71,6 +71,7 @@ int run_record(const RecordArguments& options, bool json) {
     if (ran.value->exit_code != 0)
         throw std::invalid_argument(fmt::format("{} ended with {}: {}", engine.program, ran.value->exit_code,
                                                 on_one_line(ran.value->err)));
+    if (!ran.value->err.empty()) warn(on_one_line(ran.value->err));
     const std::string& text = ran.value->out;
     input::write_output(options.out, options.out.ends_with(".gz") ? scene::gzipped(text) : text);
     const auto steps = std::ranges::count(text, '\n') - 1;  // after the header
