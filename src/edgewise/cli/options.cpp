@@ -193,9 +193,8 @@ scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat) {
         Polyhedron body = scene::make_shape(choice.shape).or_throw();
         return {choice.shape, body, body.vertices};
     }
-    return std::move(with_warning(scene::read_mesh_file(choice.shape, {scene::MeshGrouping::one_hull,
-                                                                       choice.as_stored, takes_flat}))
-                         .front());
+    return std::move(
+        with_warning(scene::read_mesh_file(choice.shape, {false, choice.as_stored, takes_flat})).front());
 }
 
 scene::NamedShape chosen_shape(const BodyChoice& choice) {

@@ -26,9 +26,7 @@ namespace {
 
 void add_mesh(const Plan& plan, const std::string& file, std::vector<scene::NamedShape>& to,
               const std::function<void(const std::string&)>& warn) {
-    auto shapes = scene::mesh_shapes(
-        file,
-        {plan.each_mesh ? scene::MeshGrouping::each_mesh : scene::MeshGrouping::one_hull, plan.as_stored});
+    auto shapes = scene::mesh_shapes(file, {plan.each_mesh, plan.as_stored});
     if (shapes) {
         // The report gives the warnings of the plan's own bodies. Those of a user's bodies are also printed.
         if (!shapes.warning.empty() && plan.meshes_required) warn(shapes.warning);

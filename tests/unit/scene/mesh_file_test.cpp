@@ -43,8 +43,8 @@ TEST_F(MeshFile, ReadsACubeInEveryFormat) {
     const Points points = box_points(Vec3d(1, 0.5, 0.25));
     for (const auto& [name, text] : every_format) {
         SCOPED_TRACE(name);
-        for (const MeshGrouping grouping : {MeshGrouping::one_hull, MeshGrouping::each_mesh}) {
-            const Bodies bodies = read_mesh_file(write(name, text(points, box_faces())), {grouping});
+        for (const bool each_mesh : {false, true}) {
+            const Bodies bodies = read_mesh_file(write(name, text(points, box_faces())), {each_mesh});
             expect_cube(bodies, 1);
             EXPECT_EQ(bodies->front().name, "body");
         }
@@ -57,7 +57,7 @@ TEST_F(MeshFile, GroupsSeveralMeshes) {
     const std::string text = obj_object("left", near, box_faces()) + obj_object("right", far, box_faces(), 9);
     const std::string path = write("pair.obj", text);
 
-    const Bodies each = read_mesh_file(path, {MeshGrouping::each_mesh});
+    const Bodies each = read_mesh_file(path, {.each_mesh = true});
     ASSERT_TRUE(each) << each.error;
     ASSERT_EQ(each->size(), 2u);
     EXPECT_EQ(each.warning, "");
@@ -65,18 +65,36 @@ TEST_F(MeshFile, GroupsSeveralMeshes) {
     EXPECT_EQ((*each)[1].name, "pair#2");
     for (const MeshBody& part : *each) EXPECT_DOUBLE_EQ(volume(part.body), 1);
 
-    const Bodies one = read_mesh_file(path, {MeshGrouping::one_hull});
-    ASSERT_TRUE(one) << one.error;
-    ASSERT_EQ(one->size(), 1u);
-    EXPECT_EQ(one->front().name, "pair");
-    EXPECT_DOUBLE_EQ(volume(one->front().body), 4);
-    EXPECT_NE(one.warning.find("hull volume / mesh volume = 2"), std::string::npos) << one.warning;
+    const Bodies one = read_mesh_file(path);
+    EXPECT_FALSE(one);
+    EXPECT_EQ(one.error,
+              path +
+                  ": has 2 convex objects, and one hull would have 2 times their volume: take each as a "
+                  "body (edgewise sweep --each-mesh), or write a file for each");
+}
+
+TEST_F(MeshFile, MakesOneHullOfMeshesThatAreNoBodiesOfTheirOwn) {
+    const Points near = box_points(Vec3d(0.5, 0.5, 0.5));
+    Faces open = box_faces();
+    open.pop_back();
+    const Bodies concave =
+        read_mesh_file(write("open.obj", obj_object("left", near, open) +
+                                             obj_object("right", shifted(near, Vec3d(3, 0, 0)), open, 9)));
+    ASSERT_TRUE(concave) << concave.error;
+    EXPECT_EQ(concave->front().name, "open");
+    EXPECT_DOUBLE_EQ(volume(concave->front().body), 4);
+    EXPECT_NE(concave.warning.find("not closed"), std::string::npos) << concave.warning;
+    const Bodies touching = read_mesh_file(
+        write("row.obj", obj_object("left", near, box_faces()) +
+                             obj_object("right", shifted(near, Vec3d(1, 0, 0)), box_faces(), 9)));
+    ASSERT_TRUE(touching) << touching.error;
+    EXPECT_DOUBLE_EQ(volume(touching->front().body), 2);
 }
 
 TEST_F(MeshFile, WarnsOfAConcaveMesh) {
     const LShape shape;
     const std::string path = write("angle.obj", obj_object("angle", shape.points, shape.faces));
-    const Bodies bodies = read_mesh_file(path, {MeshGrouping::one_hull});
+    const Bodies bodies = read_mesh_file(path);
     ASSERT_TRUE(bodies) << bodies.error;
     EXPECT_DOUBLE_EQ(volume(bodies->front().body), 3.5);
     EXPECT_EQ(bodies.warning,
@@ -87,7 +105,7 @@ TEST_F(MeshFile, SaysWhenTheRatioIsUnknown) {
     Faces open = box_faces();
     open.pop_back();
     const std::string path = write("open.off", off_text(box_points(Vec3d(1, 1, 1)), open));
-    const Bodies bodies = read_mesh_file(path, {MeshGrouping::one_hull});
+    const Bodies bodies = read_mesh_file(path);
     ASSERT_TRUE(bodies) << bodies.error;
     EXPECT_DOUBLE_EQ(volume(bodies->front().body), 8);
     EXPECT_NE(bodies.warning.find("not closed"), std::string::npos) << bodies.warning;
@@ -95,16 +113,14 @@ TEST_F(MeshFile, SaysWhenTheRatioIsUnknown) {
 }
 
 TEST_F(MeshFile, APointCloudIsAPointSet) {
-    const Bodies bodies = read_mesh_file(write("cloud.ply", ply_text(box_points(Vec3d(1, 1, 1)), {})),
-                                         {MeshGrouping::one_hull});
+    const Bodies bodies = read_mesh_file(write("cloud.ply", ply_text(box_points(Vec3d(1, 1, 1)), {})));
     expect_cube(bodies, 8);
 }
 
 TEST_F(MeshFile, AppliesTheTransformsOfAllNodes) {
     const std::string scale = "2 0 0 0  0 3 0 0  0 0 4 0  0 0 0 1";
     const std::string shift = "1 0 0 1  0 1 0 2  0 0 1 3  0 0 0 1";
-    const Bodies bodies =
-        read_mesh_file(write("nodes.dae", collada_text(scale, shift)), {MeshGrouping::each_mesh});
+    const Bodies bodies = read_mesh_file(write("nodes.dae", collada_text(scale, shift)), {.each_mesh = true});
     expect_cube(bodies, 24);
     if (!bodies) return;
     Vec3d low = bodies->front().body.vertices[0];
@@ -115,7 +131,7 @@ TEST_F(MeshFile, AppliesTheTransformsOfAllNodes) {
 TEST_F(MeshFile, AMirroredNodeStaysConvex) {
     const std::string mirror = "-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1";
     const std::string same = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1";
-    expect_cube(read_mesh_file(write("mirror.dae", collada_text(mirror, same)), {MeshGrouping::one_hull}), 1);
+    expect_cube(read_mesh_file(write("mirror.dae", collada_text(mirror, same))), 1);
 }
 
 TEST_F(MeshFile, RefusesFilesThatHoldNoBody) {
@@ -212,7 +228,7 @@ TEST_F(MeshFile, NamesTheMeshThatIsFlat) {
     const Points square = {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)};
     const std::string text = obj_object("solid", box_points(Vec3d(1, 1, 1)), box_faces()) +
                              obj_object("floor", square, {{0, 1, 2, 3}}, 9);
-    const Bodies bodies = read_mesh_file(write("room.obj", text), {MeshGrouping::each_mesh});
+    const Bodies bodies = read_mesh_file(write("room.obj", text), {.each_mesh = true});
     EXPECT_FALSE(bodies);
     EXPECT_NE(bodies.error.find("(mesh 2 'floor'): flat"), std::string::npos) << bodies.error;
 }
@@ -236,8 +252,7 @@ TEST_F(MeshFile, SurvivesGarbage) {
         const std::size_t hits = 1 + dice.below(3);
         for (std::size_t k = 0; k < hits; ++k) damage(text[dice.below(text.size())], dice);
         if (trial % 10 == 0) text.resize(dice.below(text.size()) + 1);
-        const Bodies bodies = read_mesh_file(write(std::string("garbage") + endings[trial % 4], text),
-                                             {MeshGrouping::one_hull});
+        const Bodies bodies = read_mesh_file(write(std::string("garbage") + endings[trial % 4], text));
         if (bodies) {
             EXPECT_EQ(all_violations(bodies->front().body), "");
         } else {

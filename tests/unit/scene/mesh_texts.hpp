@@ -149,9 +149,8 @@ inline void expect_said(const std::string& error, const std::string& said) {
 }
 
 inline void expect_refused(const std::string& path, const std::string& expected) {
-    for (const scene::MeshGrouping grouping :
-         {scene::MeshGrouping::one_hull, scene::MeshGrouping::each_mesh}) {
-        const auto bodies = scene::read_mesh_file(path, {grouping});
+    for (const bool each_mesh : {false, true}) {
+        const auto bodies = scene::read_mesh_file(path, {each_mesh});
         EXPECT_FALSE(bodies) << path;
         EXPECT_EQ(bodies.error.rfind(path, 0), 0u) << bodies.error;
         expect_said(bodies.error, expected);

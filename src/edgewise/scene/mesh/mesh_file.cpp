@@ -109,6 +109,24 @@ std::string hull_warning(const MeshPart& part, const Polyhedron& hull) {
                    rounded(whole / *inside, 5));
 }
 
+/// Says that the parts are convex bodies which one hull would fill up. Empty for others, such as a surface
+/// that is split by material.
+std::string several_bodies(const std::vector<MeshPart>& parts) {
+    double inside = 0;
+    for (const MeshPart& part : parts) {
+        const Result<Polyhedron> hull = convex_hull(part.points);
+        const std::optional<double> own = hull ? mesh_volume(part) : std::nullopt;
+        if (!own || *own < convex_volume_share * volume(*hull)) return {};
+        inside += *own;
+    }
+    const Result<Polyhedron> all = convex_hull(joined(parts).points);
+    if (!all || inside >= convex_volume_share * volume(*all)) return {};
+    return message(
+        ": has ", parts.size(), " convex objects, and one hull would have ",
+        rounded(volume(*all) / inside, 5),
+        " times their volume: take each as a body (edgewise sweep --each-mesh), or write a file for each");
+}
+
 /// Each point once, in the order of the mesh.
 std::vector<Vec3d> distinct(std::span<const Vec3d> points) {
     std::vector<Index> order = distinct_points(points);
@@ -169,7 +187,11 @@ Parts read_mesh_parts(const std::string& path, bool as_stored,
 Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
     Parts parts = read_mesh_parts(path, reading.as_stored);
     if (!parts) return Bodies::failure(parts.error);
-    if (reading.grouping == MeshGrouping::one_hull) *parts = {joined(*parts)};
+    if (!reading.each_mesh && parts->size() > 1) {
+        if (const std::string error = several_bodies(*parts); !error.empty())
+            return Bodies::failure(path + error);
+        *parts = {joined(*parts)};
+    }
     const std::string stem = std::filesystem::path(path).stem().string();
     const bool several = parts->size() > 1;
     std::vector<MeshBody> bodies;

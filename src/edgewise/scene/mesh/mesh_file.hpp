@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads mesh files (OBJ, STL, and what Assimp reads: PLY, OFF, glTF, COLLADA ...) into convex bodies. Node
-// transforms are applied. A concave mesh is hulled, with a warning that states the ratio of the volumes.
+// transforms are applied. A concave mesh is hulled, with a warning that states the ratio of the volumes; a
+// file of several convex objects, as decompositions write them, is refused where one hull would fill them up.
 #pragma once
 
 #include <string>
@@ -14,13 +15,8 @@
 
 namespace edgewise::scene {
 
-enum class MeshGrouping {
-    one_hull,   ///< all meshes of the file become one hull
-    each_mesh,  ///< one hull per mesh
-};
-
 struct MeshReading {
-    MeshGrouping grouping = MeshGrouping::one_hull;
+    bool each_mesh = false;   ///< one hull for each mesh of a file; else one for all
     bool as_stored = false;   ///< a COLLADA file's up axis and unit are left out
     bool takes_flat = false;  ///< polygons, segments and points are bodies too
 };
