@@ -94,8 +94,7 @@ edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene
     src/edgewise/studies/fields/best_groups.cpp
     src/edgewise/studies/fields/field_trace.cpp src/edgewise/studies/fields/fields.cpp
     src/edgewise/studies/gate/run.cpp src/edgewise/studies/thrash/factorial.cpp src/edgewise/studies/thrash/memory_demand.cpp
-    src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/accuracy_band.cpp
-    src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp src/edgewise/truth/moore_wilhelms.cpp
+    src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp
     src/edgewise/truth/exact_proof.cpp src/edgewise/truth/support_filter.cpp)
 if(EDGEWISE_SANITIZE)  # truth is slow and manages no memory by hand: the library's own checks instead of sanitizers
     edgewise_sources(oracle src/edgewise/truth)

@@ -26,10 +26,7 @@ class error {
     static constexpr bool of_peers = true;
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        std::vector<measure::Figure> all = figures(cell.checked, cell.counts);
-        if (cell.type.verdict_only) leave_out_distances(all, "this library gives verdicts alone");
-        if (cell.needs <= Needs::verdict) leave_out_distances(all, "verdicts alone were asked for");
-        return {std::move(all)};
+        return {figures(cell.checked, cell.counts)};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(Answers answers,
@@ -86,16 +83,6 @@ class error {
             {counts.max_steps, most(counts.max_cold_steps, cold), most(counts.max_warm_steps, warm)}, all);
     }
 
-    static void leave_out_distances(std::vector<measure::Figure>& all, const char* reason) {
-        for (measure::Figure& figure : all) {
-            if (!figure.name.ends_with("_stored") && !figure.name.ends_with("_given") &&
-                figure.name != "witness_error")
-                continue;
-            figure.value.reset();
-            figure.reason = reason;
-        }
-    }
-
     /// How often the paper's control disagrees: over checked answers, and over those outside the band.
     static void add_control(Answers answers, std::vector<measure::Figure>& all) {
         double asked = 0, disagrees = 0, outside = 0;
@@ -115,11 +102,11 @@ class error {
         add("error.control_disagreements_outside_band", outside);
     }
 
-    /// Returns the given error of each answer, divided by the scale of its pair.
+    /// Returns the given error of each answer that has a distance, divided by the scale of its pair.
     static std::vector<double> column(Answers answers, Error error) {
         std::vector<double> result;
         for (const truth::CheckedAnswer& answer : answers)
-            result.push_back(answer.band.over_scale(answer.*error));
+            if (answer.has_distance) result.push_back(answer.band.over_scale(answer.*error));
         return result;
     }
 
@@ -138,8 +125,9 @@ class error {
 
     static measure::Figure at_quantile(const store::FigureName& name, Answers answers, Error error,
                                        double p) {
-        return store::figure(name, measure::quantile(column(answers, error), p), "no query was checked",
-                             "check more queries");
+        return store::figure(name, measure::quantile(column(answers, error), p),
+                             "no answer with a distance was checked",
+                             "ask for distances, and check some (--checked)");
     }
 };
 

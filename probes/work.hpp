@@ -74,7 +74,7 @@ class work {
         const char* const cold = "no query starts warm";
         const store::FigureName unchanged("work.unchanged"), told("work.told_by_bounds");
         std::vector<measure::Figure> all = of_first(counts);
-        if (needs == Needs::nearer) {
+        if (has_margin(needs)) {
             all.push_back(store::no_figure(unchanged, "bounds answer most queries, which start nowhere",
                                            "a cell that needs more"));
             all.push_back(share(told, counts.told, counts.warm, cold));

@@ -42,7 +42,7 @@ std::vector<RankedCell> ranked_cells(std::span<const ReportCell* const> cells, c
                                      bool peers, double error_limit) {
     std::map<std::pair<std::string, std::string>, std::vector<const ReportCell*>> runs;
     for (const ReportCell* cell : cells)
-        if (!cell->is_raw() && cell->judged() == peers && (peers || cell->axes == axes))
+        if (!cell->is_raw() && cell->judged() == peers && cell->axes == axes)
             runs[{cell->algorithm, cell->table}].push_back(cell);
     std::vector<RankedCell> ranked;
     for (const auto& [name, measured] : runs)

@@ -109,17 +109,22 @@ double separated_ns(const ReportCell& cell) {
     return cell.figure(store::separated_time.ns).value.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// Pairs in a row that are asked together: the same question, so shown with the plain cells.
-constexpr std::string_view batched = "batch=yes";
+constexpr std::string_view verdict_alone = "needs=verdict";
 
-/// The cells of a scene and shape that ask for the whole answer, ours and theirs, fastest first.
+/// Pairs in a row that are asked together are asked for the whole answer, as in the plain cells.
+bool asks(const ReportCell& cell, bool verdict) {
+    return verdict ? cell.axes == verdict_alone : cell.axes.empty() || cell.axes == "batch=yes";
+}
+
+/// The cells of a scene and shape that ask for the whole answer, or for the verdict alone, ours and theirs,
+/// fastest first.
 std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::string& scene_label,
-                                            const std::string& shape) {
+                                            const std::string& shape, bool verdict) {
     std::vector<const ReportCell*> cells;
     for (const auto* from : {&data.cells, &data.from_files, &data.peers}) {
         for (const ReportCell& cell : *from) {
             if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() &&
-                (cell.axes.empty() || cell.axes == batched))
+                asks(cell, verdict))
                 cells.push_back(&cell);
         }
     }
@@ -128,10 +133,11 @@ std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::s
     return cells;
 }
 
-/// The fastest of other libraries that gives distances; none: null.
+/// The fastest of other libraries, for distances only of libraries that give them; null if there is none.
 const ReportCell* best_peer(const std::vector<const ReportCell*>& fastest_first) {
     for (const ReportCell* cell : fastest_first) {
-        if (cell->judged() && cell->figure("error.worst_error_stored").value) return cell;
+        if (cell->judged() && (asks(*cell, true) || cell->figure("error.worst_error_stored").value))
+            return cell;
     }
     return nullptr;
 }
@@ -162,11 +168,12 @@ GridCell ratio_to_peer(const ReportCell& cell, const ReportCell* peer) {
 
 std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
     return grid_row(cell.shape, cell.vertices, cell.judged() ? cell.layout : cell.algorithm,
-                    cell.judged() ? cell.precision : cell.table, cell.figure(store::separated_time.ns),
-                    ratio_to_peer(cell, peer), cell.figure("error.worst_error_stored"),
-                    cell.figure("error.p99_error_stored"), cell.figure("error.wrong_verdicts"),
-                    cell.figure("error.checked"), cell.figure("bytes.table_bytes"),
-                    cell.figure("bytes.object_bytes"), cell.figure("bytes.pair_bytes"));
+                    cell.judged() ? cell.precision + (asks(cell, true) ? " needs=verdict" : "") : cell.table,
+                    cell.figure(store::separated_time.ns), ratio_to_peer(cell, peer),
+                    cell.figure("error.worst_error_stored"), cell.figure("error.p99_error_stored"),
+                    cell.figure("error.wrong_verdicts"), cell.figure("error.checked"),
+                    cell.figure("bytes.table_bytes"), cell.figure("bytes.object_bytes"),
+                    cell.figure("bytes.pair_bytes"));
 }
 
 }  // namespace
@@ -192,10 +199,12 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
     std::ranges::sort(shapes);
     shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
     for (const auto& [vertices, shape] : shapes) {
-        const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape);
-        if (std::ranges::none_of(cells, [](const ReportCell* cell) { return cell->judged(); })) continue;
-        const ReportCell* peer = best_peer(cells);
-        for (const ReportCell* cell : cells) grid.rows.push_back(row_of(*cell, peer));
+        for (const bool verdict : {false, true}) {
+            const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape, verdict);
+            if (std::ranges::none_of(cells, [](const ReportCell* cell) { return cell->judged(); })) continue;
+            const ReportCell* peer = best_peer(cells);
+            for (const ReportCell* cell : cells) grid.rows.push_back(row_of(*cell, peer));
+        }
     }
     return grid;
 }

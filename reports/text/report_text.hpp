@@ -6,15 +6,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cassert>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace edgewise::reports {
-
-/// Returns the file of this name, in whichever folder below reports/ it is: "stability.md", "bytes.vl.json".
-/// The program names only files that are there; the unit tests read them all.
-[[nodiscard]] std::string_view report_text(std::string_view name);
 
 struct EmbeddedText {
     std::string_view name, text;
@@ -22,8 +20,21 @@ struct EmbeddedText {
 /// Returns all texts; generated.
 [[nodiscard]] std::span<const EmbeddedText> embedded_texts();
 
+/// Returns the file of this name, in whichever folder below reports/ it is: "stability.md", "bytes.vl.json".
+/// The program names only files that are there; the unit tests read them all.
+[[nodiscard]] inline std::string_view report_text(std::string_view name) {
+    const auto found = std::ranges::find(embedded_texts(), name, &EmbeddedText::name);
+    assert(found != embedded_texts().end());
+    return found->text;
+}
+
 /// A Markdown file as one paragraph: line ends become spaces.
-[[nodiscard]] std::string prose(std::string_view name);
+[[nodiscard]] inline std::string prose(std::string_view name) {
+    std::string paragraph(report_text(name));
+    while (!paragraph.empty() && paragraph.back() == '\n') paragraph.pop_back();
+    std::ranges::replace(paragraph, '\n', ' ');
+    return paragraph;
+}
 
 /// Returns the paragraph with its {placeholders} filled, by fmt::arg.
 template <class... Arguments>

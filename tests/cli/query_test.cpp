@@ -83,6 +83,10 @@ TEST_P(Query, SaysWhetherBodiesAreNearerThanAMargin) {
         EXPECT_EQ(answers[0]["nearer"], 2 < margin * size) << "2 apart";
         EXPECT_EQ(answers[1]["nearer"], true) << "they overlap";
         EXPECT_TRUE(answers[0]["distance"].is_null());
+        const auto within = answers_of(ask(cases, {"--needs", "within", "--margin", std::to_string(margin)}));
+        EXPECT_EQ(within[0]["nearer"], answers[0]["nearer"]);
+        EXPECT_EQ(within[0]["distance"].is_null(), 2 >= margin * size) << "given where it is within";
+        EXPECT_EQ(within[1]["distance"], 0);
     }
     EXPECT_NEAR(answers_of(ask(cases, {"--needs", "nearer"}))[0]["margin"].get<double>(),
                 0.1 * std::sqrt(3.0), 1e-12);
@@ -260,7 +264,8 @@ TEST_P(QueryLines, OneBadLineTakesNoOtherWithIt) {
     const std::string good = pair_line("good", tetrahedron, 3) + pair_line("good", tetrahedron, 0.25);
     std::string cases = good;
     for (const std::string& line : bad) cases += line + good;
-    for (const char* needs : {"verdict", "witnesses", "features", "depth", "certificate", "nearer"}) {
+    for (const char* needs :
+         {"verdict", "witnesses", "features", "depth", "certificate", "nearer", "within"}) {
         const Outcome outcome = ask(cases, {"--needs", needs});
         EXPECT_EQ(outcome.exit_code, 1) << needs << outcome.err;
         const auto answers = answers_of(outcome);

@@ -114,15 +114,16 @@ TEST(Sweep, FurtherProcessesTimeTheFinalistsAgain) {
 
 TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
     const Folder folder;
-    const Outcome outcome = run(with(tiny, {"--axes", "needs=nearer,needs=nearer+margin=1"}), folder);
+    const Outcome outcome = run(with(tiny, {"--axes", "needs=nearer,needs=within+margin=1"}), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    EXPECT_GE(summary["cells"], 2 * 2 * 3) << "both algorithms, each with two margins beside the plain cell";
+    EXPECT_GE(summary["cells"], 2 * 2 * 3)
+        << "both algorithms, each with two questions beside the plain cell";
     EXPECT_EQ(summary["verified"], summary["cells"]);
     const std::string csv = text_of(folder / "reports/out/results/tumble.csv");
     EXPECT_THAT(csv, HasSubstr("needs=nearer+margin=0.1"));
     EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
-    EXPECT_THAT(csv, HasSubstr("aos_f64 needs=nearer+margin=1"));
+    EXPECT_THAT(csv, HasSubstr("aos_f64 needs=within+margin=1"));
     const Outcome bench =
         run({"bench", "model", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
     EXPECT_EQ(bench.exit_code, 0) << bench.err;
@@ -148,14 +149,14 @@ TEST(Sweep, KeepsTheShareThatOthersTookWithTheTimes) {
     const auto store = folder / "reports/out/edgewise.db";
     change(store,
            "insert or replace into meta select distinct 'others ' || build || ' ' || scene || ' ' || "
-           "scene_parameters || ' ' || shape, '0.45' from cell");
+           "scene_parameters || ' ' || shape, '0.99' from cell");
     ASSERT_EQ(run(contest, folder).exit_code, 0);
-    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("others took 45 % of the processor"));
+    EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("others took 99 % of the processor"));
     Arguments further = contest;
     std::ranges::replace(further, "3", "4");
     ASSERT_EQ(run(further, folder).exit_code, 0) << "a fourth round is timed";
     EXPECT_EQ(rows_of(store, "select distinct value from meta where key like 'others %'"),
-              std::vector<std::string>{"0.45"});
+              std::vector<std::string>{"0.99"});
 }
 
 TEST(Sweep, TakesAPlanFromAFile) {

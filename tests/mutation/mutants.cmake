@@ -157,7 +157,7 @@ edgewise_mutant(product_without_its_error algorithms/penetration/expansion.hpp [
 edgewise_mutant(sweep_misses_touching algorithms/sweep_and_prune.hpp [[low[axis] > box.high[axis]) break;]] [[low[axis] >= box.high[axis]) break;]]
     SweepAndPrune.* ${unit}/algorithms/sweep_and_prune_test.cpp)
 
-edgewise_mutant(referee_without_edges truth/moore_wilhelms.cpp [[return enter < leave;]] [[return false;]]
+edgewise_mutant(referee_without_edges truth/moore_wilhelms.hpp [[return enter < leave;]] [[return false;]]
     MooreWilhelms.* ${unit}/truth/enclosure_test.cpp)
 
 # Truth
@@ -173,7 +173,7 @@ edgewise_mutant(certificate_divides_by_one_total truth/certificate.cpp [[on_a.to
     Certificate.* ${unit}/truth/certificate_test.cpp)
 edgewise_mutant(touching_counts_as_overlap truth/exact_distance.cpp [[interior ? ExactVerdict::overlapping : ExactVerdict::touching]] [[interior ? ExactVerdict::touching : ExactVerdict::touching]]
     ExactVerdict.* ${unit}/truth/exact_verdict_test.cpp)
-edgewise_mutant(band_without_rotations truth/accuracy_band.cpp [[verdict_band_ortho * ortho]] [[0 * ortho]]
+edgewise_mutant(band_without_rotations truth/accuracy_band.hpp [[verdict_band_ortho * ortho]] [[0 * ortho]]
     AccuracyBand.* ${unit}/truth/checked_answer_test.cpp)
 edgewise_mutant(judge_lets_nan_pass truth/checked_answer.cpp [[(claim.separated && std::isnan(claim.distance))]] [[false]]
     CheckedAnswer.* ${unit}/truth/checked_answer_test.cpp)

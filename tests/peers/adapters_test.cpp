@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,7 +93,7 @@ std::vector<Adapter> adapters() {
 
 TEST(PeerAdapters, AnswerForTheGivenBodiesAndPosesInTheWorld) {
     for (const Adapter& adapter : adapters()) {
-        adapter.bench->prepare(queries, 0);
+        adapter.bench->prepare(queries, 0, false);
         const auto answers = adapter.answers(0, queries.size());
         for (std::size_t i = 0; i < queries.size(); ++i) {
             SCOPED_TRACE(adapter.info->name + std::string(", query ") + std::to_string(i));
@@ -111,7 +112,7 @@ TEST(PeerAdapters, KeepEachPairsCacheUntilItIsSetBack) {
         const auto doubled = [&](const PeerAnswer& answer, std::size_t i) {
             return answer.distance > 1.5 * distance_of(twice[i]);
         };
-        adapter.bench->prepare(twice, 2);
+        adapter.bench->prepare(twice, 2, false);
         for (int pass = 0; pass < 2; ++pass) {
             const auto answers = adapter.answers(0, 4);
             EXPECT_FALSE(doubled(answers[0], 0));
@@ -121,7 +122,7 @@ TEST(PeerAdapters, KeepEachPairsCacheUntilItIsSetBack) {
             EXPECT_EQ(doubled(answers[3], 3), adapter.has_cache() && !too_large);
             adapter.bench->set_back();
         }
-        adapter.bench->prepare(twice, 0);
+        adapter.bench->prepare(twice, 0, false);
         for (const PeerAnswer& answer : adapter.answers(0, 3))
             EXPECT_LT(answer.distance, 1.5 * distance_of(twice[0]));
     }
@@ -131,11 +132,24 @@ TEST(PeerAdapters, TellThatBodiesTouch) {
     const PeerQuery same{0, 0, 0, Pose{}, Pose{}};
     for (const Adapter& adapter : adapters()) {
         SCOPED_TRACE(adapter.info->name);
-        adapter.bench->prepare(std::span(&same, 1), 1);
-        const PeerAnswer answer = adapter.answers(0, 1)[0];
-        EXPECT_TRUE(answer.answered);
-        EXPECT_FALSE(answer.separated);
-        EXPECT_EQ(answer.distance, 0);
+        for (const bool verdict_alone : {false, true}) {
+            adapter.bench->prepare(std::span(&same, 1), 1, verdict_alone);
+            const PeerAnswer answer = adapter.answers(0, 1)[0];
+            EXPECT_TRUE(answer.answered);
+            EXPECT_FALSE(answer.separated);
+            EXPECT_EQ(answer.distance, 0);
+        }
+    }
+}
+
+TEST(PeerAdapters, GiveAVerdictAloneInTheirOwnWay) {
+    const std::set<std::string_view> by_distance = {"open_gjk", "physx"};
+    for (const Adapter& adapter : adapters()) {
+        SCOPED_TRACE(adapter.info->name);
+        adapter.bench->prepare(queries, 2, true);
+        const PeerAnswer answer = adapter.answers(0, queries.size())[0];
+        EXPECT_TRUE(answer.answered && answer.separated);
+        EXPECT_EQ(answer.distance > 0, by_distance.contains(adapter.info->name));
     }
 }
 

@@ -173,6 +173,17 @@ class NearPair {
         return answer.status == Status::failed || answer.distance < distance;
     }
 
+    /// Returns the whole answer if the bodies are nearer to each other than `distance`, and nothing if they
+    /// are not, mostly without reading a table: at_least() is then a proven lower bound. To rounding, and a
+    /// pose that cannot be answered counts as nearer, as in nearer_than().
+    [[nodiscard]] std::optional<Distance> answer_within(double distance, const Transform<double>& a_from_b) {
+        const auto known = cache_.bounds.nearer_than(distance, a_from_b);
+        if (known && !*known && is_answerable(a_, b_, a_from_b)) return std::nullopt;
+        const Distance answer = ask(a_from_b);
+        return answer.status == Status::failed || answer.distance < distance ? std::optional(answer)
+                                                                             : std::nullopt;
+    }
+
     /// Lower and upper bound of the distance; no table is read. Nothing is known at a pose that cannot be
     /// answered.
     [[nodiscard]] DistanceInterval bounds(const Transform<double>& a_from_b) const {

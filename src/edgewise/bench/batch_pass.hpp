@@ -5,15 +5,58 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "edgewise/bench/query_batch.hpp"
+#include "edgewise/algorithms/query_batch.hpp"
 #include "edgewise/scene/workload.hpp"
 
 namespace edgewise::bench {
+
+/// Queries of a batch, at most 64: they stay in the first-level cache with their answers.
+template <class Algorithm, class Table>
+class QueryBatch {
+  public:
+    using Pair = typename Algorithm::template Pair<Table, Table>;
+
+    explicit QueryBatch(const QueryOptions& options) : options_(options) {}
+
+    [[nodiscard]] bool is_full() const { return count_ == most; }
+
+    /// Query `number`; pair: none starts cold.
+    void add(std::size_t number, const Table& a, const Table& b, const Transform<double>& a_from_b,
+             Pair* pair) {
+        assert(!is_full());
+        if (!pair) pair = &cold_[count_].emplace(a, b);
+        numbers_[count_] = number;
+        queries_[count_++] = {&a, &b, a_from_b, pair};
+    }
+
+    /// Answers all, calls take(number, pair, answer) for each, and is then empty.
+    template <class Take>
+    void ask(const Take& take) {
+        query_batch<Table, Table, Algorithm>(std::span(queries_).first(count_),
+                                             std::span(answers_).first(count_), options_);
+        for (std::size_t i = 0; i < count_; ++i) take(numbers_[i], *queries_[i].pair, answers_[i]);
+        count_ = 0;
+    }
+
+  private:
+    static constexpr std::size_t most = 64;
+
+    QueryOptions options_;
+    std::array<PairQuery<Table, Table, Algorithm>, most> queries_;
+    std::array<std::optional<Pair>, most> cold_;
+    std::array<Distance, most> answers_;
+    std::array<std::size_t, most> numbers_{};
+    std::size_t count_ = 0;
+};
 
 /// Tables: gives a query's two tables; Pay: is called with every query, its pair and its answer.
 template <class Algorithm, class Table, class Tables, class Pay>

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/parallel_batch.hpp"
-#include "edgewise/bench/threaded_pass.hpp"
+#include "edgewise/bench/runner.hpp"
 #include "edgewise/scene/workload.hpp"
 #include "edgewise/table/contract.hpp"
 

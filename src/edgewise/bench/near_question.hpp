@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A query with one question: are the bodies nearer to each other than a margin? A pair of a warm scene
-// answers by its bounds where these decide; else the tables compute the whole distance, which renews the
-// bounds. A cold query has no past: the tables compute only the verdict.
+// A query with one question: are the bodies nearer to each other than a margin, and if so, how near? A pair
+// of a warm scene answers by its bounds where these decide; else the tables compute the whole distance, which
+// renews the bounds. A cold query has no past: the tables compute the verdict, and the distance if it is
+// asked.
 #pragma once
 
 #include <optional>
@@ -31,25 +32,23 @@ namespace edgewise::bench {
     return answer;
 }
 
-/// Asks the tables about a warm pair if its bounds do not decide.
+/// Asks the tables, where no bounds decide.
 template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
-[[nodiscard]] Distance ask_warm_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
-                                     NearCache<Pair>& cache, double margin, const Radii& radii,
-                                     const QueryOptions& options, Observer&& observer = {}) {
-    const Distance answer = ask_near<Algorithm>(a, b, a_from_b, radii, cache, options, observer);
+[[nodiscard]] Distance ask_tables_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
+                                       NearCache<Pair>& cache, bool warm, const NearMargins& margins,
+                                       const scene::Query& query, const QueryOptions& options,
+                                       Observer&& observer = {}) {
+    const double margin = margins.margin(query);
+    QueryOptions verdict = options;
+    verdict.contact_tolerance = margin;
+    verdict.verdict_only = true;
+    const Distance answer =
+        warm ? ask_near<Algorithm>(a, b, a_from_b, margins.radii(query), cache, options, observer)
+             : Algorithm::query(a, b, a_from_b, cache.pair, verdict, observer);
     if (answer.status == Status::failed) return {};
-    return near_answer(answer.distance < margin, margin, answer);
-}
-
-template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
-[[nodiscard]] Distance ask_cold_near(const Table& a, const Table& b, const Transform<double>& a_from_b,
-                                     Pair& pair, double margin, QueryOptions options,
-                                     Observer&& observer = {}) {
-    options.contact_tolerance = margin;
-    options.verdict_only = true;
-    const Distance answer = Algorithm::query(a, b, a_from_b, pair, options, observer);
-    if (answer.status == Status::failed) return {};
-    return near_answer(answer.status != Status::separated, margin, answer);
+    const bool nearer = warm ? answer.distance < margin : answer.status != Status::separated;
+    if (!nearer || !margins.asks_distance()) return near_answer(nearer, margin, answer);
+    return warm ? answer : Algorithm::query(a, b, a_from_b, cache.pair, options, observer);
 }
 
 /// A pass over queries of a workload, as Runner::RangePass. Tables: gives a query's two tables.
@@ -72,14 +71,14 @@ class NearPass {
         double sum = 0;
         for (std::size_t i = first; i < last; ++i) {
             const scene::Query& query = workload_.queries[i];
-            const double margin = margins_.margin(query);
-            if (const auto told = told_by_bounds(query, margin)) {
+            if (const auto told = told_by_bounds(query)) {
+                const double margin = margins_.margin(query);
                 // No whole answer is made without a reader: it would take as long as the bounds.
                 sum += *told ? 0 : margin;
                 if (answers) answers[i] = near_answer(*told, margin);
                 continue;
             }
-            const Distance answer = ask(query, margin);
+            const Distance answer = ask(query);
             if (answers) answers[i] = answer;
             sum += answer.distance;
         }
@@ -87,20 +86,18 @@ class NearPass {
     }
 
   private:
-    [[nodiscard]] std::optional<bool> told_by_bounds(const scene::Query& query, double margin) const {
+    [[nodiscard]] std::optional<bool> told_by_bounds(const scene::Query& query) const {
         if (!workload_.warm) return std::nullopt;
-        return pairs_[query.pair].bounds.nearer_than(margin, relative_pose(query.pose_a, query.pose_b));
+        return margins_.told_by(pairs_[query.pair].bounds, query, relative_pose(query.pose_a, query.pose_b));
     }
 
     /// Computes the pose again: as an argument it would take memory in the loop that rarely asks.
-    [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query, double margin) {
+    [[nodiscard]] [[gnu::noinline]] Distance ask(const scene::Query& query) {
         const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
         const auto [a, b] = tables_(query);
-        if (workload_.warm)
-            return ask_warm_near<Algorithm>(*a, *b, a_from_b, pairs_[query.pair], margin,
-                                            margins_.radii(query), options_);
-        Pair pair(*a, *b);
-        return ask_cold_near<Algorithm>(*a, *b, a_from_b, pair, margin, options_);
+        Cache cold{{}, Pair(*a, *b)};
+        Cache& cache = workload_.warm ? pairs_[query.pair] : cold;
+        return ask_tables_near<Algorithm>(*a, *b, a_from_b, cache, workload_.warm, margins_, query, options_);
     }
 
     const scene::Workload& workload_;

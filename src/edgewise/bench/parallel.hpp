@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Independent work on all processors. Nothing is timed meanwhile.
+// Independent work on all processors. Nothing is timed meanwhile. Threads end with the work, since where few
+// addresses are allowed (ulimit -v) what follows needs those of their stacks; those of oneTBB stay.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +20,10 @@ void for_each_index(std::size_t count, const Work& work) {
     const auto run = [&] {
         for (std::size_t i = next++; i < count; i = next++) work(i);
     };
-    std::vector<std::future<void>> workers;
-    for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-        workers.push_back(std::async(std::launch::async, run));
-    for (std::future<void>& worker : workers) worker.wait();
-    for (std::future<void>& worker : workers) worker.get();
+    std::vector<std::future<void>> workers(std::max(1U, std::thread::hardware_concurrency()));
+    for (auto& worker : workers) worker = std::async(std::launch::async, run);
+    for (auto& worker : workers) worker.wait();
+    for (auto& worker : workers) worker.get();
 }
 
 }  // namespace edgewise::bench

@@ -91,7 +91,9 @@ std::string Runner::load_tables(std::span<const Polyhedron> bodies,
     options_ = given_options_;
     options_.query = prepared_.scale().into(given_options_.query);
     margins_ = {};
-    if (asks_nearness()) margins_ = {options_.margin, bodies, prepared_.bodies(), prepared_.scale()};
+    if (asks_nearness())
+        margins_ = {options_.margin, options_.needs == Needs::within, bodies, prepared_.bodies(),
+                    prepared_.scale()};
     table_each_ = !instances.empty();
     std::vector<const Polyhedron*> of_tables;
     for (const std::uint32_t body : instances) of_tables.push_back(&prepared_.bodies()[body]);

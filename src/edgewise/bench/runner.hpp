@@ -19,7 +19,6 @@
 #include "edgewise/bench/runner_options.hpp"
 #include "edgewise/bench/scales/scale_times.hpp"
 #include "edgewise/bench/support_times.hpp"
-#include "edgewise/bench/threaded_pass.hpp"
 #include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/measure/round.hpp"
@@ -49,6 +48,29 @@ struct TableMap {
     std::size_t vertices = 0, edges = 0, faces = 0;
 };
 
+/// A pass over a workload's queries as an engine with threads makes it: frame after frame, each frame one
+/// batch that the threads share.
+class ThreadedPass {
+  public:
+    ThreadedPass() = default;
+    ThreadedPass(const ThreadedPass&) = delete;
+    ThreadedPass& operator=(const ThreadedPass&) = delete;
+    virtual ~ThreadedPass() = default;
+
+    /// Pairs know nothing any more, as before the first frame.
+    virtual void set_back() = 0;
+
+    /// Answers every query once, in at most `threads` threads including the caller's; returns after the last.
+    virtual void run(int threads) = 0;
+
+    /// Sum of the last run's distances in the order of the workload's queries, in the runner's unit: the bits
+    /// of a RangePass over all of them.
+    [[nodiscard]] virtual double sum() const = 0;
+
+    /// Batches of a run.
+    [[nodiscard]] virtual std::size_t frames() const = 0;
+};
+
 class Runner {
   public:
     /// in_single: what the precision computes in.
@@ -71,25 +93,26 @@ class Runner {
     /// The bodies that the tables really hold, in the given bodies' unit and order.
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
-    /// Margin of a query of loaded bodies with Needs::nearer, in the given bodies' unit.
+    /// Margin of a query of loaded bodies, where needs have one, in the given bodies' unit.
     [[nodiscard]] double margin(const scene::Query& query) const {
         return prepared_.scale().back(margins_.margin(query));
     }
 
     /// Answers every loaded query in order, from cold pairs; points in A's frame. For bodies farther from
-    /// each other than the precision can compute with: status failed, here and below. With Needs::nearer
-    /// answers are verdicts in the form of near_answer, in all passes.
+    /// each other than the precision can compute with: status failed, here and below. Where
+    /// needs have a margin, answers that give no distance are in the form of near_answer, in all passes.
     [[nodiscard]] std::vector<Distance> answer() const;
 
     /// Answers any query of the loaded bodies from a cold start, with features and, in contact, the depth,
     /// which also separates touching from overlapping.
     [[nodiscard]] virtual NamedAnswer answer(const scene::Query& query) const = 0;
 
-    /// Times the loaded queries; `in_contact[i]` != 0 books query i under overlapping, else under separated;
-    /// if it is empty, all are booked under either. The clock is read where the class changes, and its cost
-    /// is subtracted; batches are asked class by class, until a pair comes again. In a warm scene a pair's
-    /// first query, cold by nature, is booked apart, timed by itself: its accuracy is limited by the accuracy
-    /// of the clock's cost.
+    /// Times the loaded queries, after untimed passes over them: the caches hold what such a pass leaves
+    /// there, whatever else is measured between two calls. `in_contact[i]` != 0 books query i under
+    /// overlapping, else under separated; if it is empty, all are booked under either. The clock is read
+    /// where the class changes, and its cost is subtracted; batches are asked class by class, until a pair
+    /// comes again. In a warm scene a pair's first query, cold by nature, is booked apart, timed by itself:
+    /// its accuracy is limited by the accuracy of the clock's cost.
     [[nodiscard]] measure::Timing time(std::span<const std::uint8_t> in_contact, double clock_cost_ns) const;
 
     /// Notifies of the accesses of loaded queries, from cold pairs, as far as the extent says; of a warm
@@ -162,7 +185,7 @@ class Runner {
 
     [[nodiscard]] const PreparedWorkload& prepared() const { return prepared_; }
     [[nodiscard]] const RunnerOptions& options() const { return options_; }  ///< in the runner's unit
-    [[nodiscard]] bool asks_nearness() const { return options_.needs == Needs::nearer; }
+    [[nodiscard]] bool asks_nearness() const { return has_margin(options_.needs); }
     [[nodiscard]] const NearMargins& margins() const { return margins_; }
     [[nodiscard]] std::size_t table_a(const scene::Query& query) const {
         return table_each_ ? query.instance_a : query.body_a;
@@ -181,7 +204,7 @@ class Runner {
     bool in_single_;
     RunnerOptions given_options_, options_;  ///< in the given bodies' unit, and in the runner's
     PreparedWorkload prepared_;
-    NearMargins margins_;                     ///< of Needs::nearer alone
+    NearMargins margins_;                     ///< where needs have a margin
     std::unique_ptr<TableAllocator> memory_;  ///< allocator of the tables
     bool table_each_ = false;                 ///< one for each instance, not for each body
 };

@@ -32,11 +32,12 @@ struct TableOptions {
 inline constexpr double usual_margin = 0.1;
 
 struct RunnerOptions {
-    QueryOptions query = {};         ///< contact_tolerance in the given bodies' unit; 0 with Needs::nearer
+    QueryOptions query = {};  ///< contact_tolerance in the given bodies' unit; 0 where needs have a margin
     Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
     TableOptions tables = {};
-    double margin = usual_margin;  ///< of Needs::nearer, over the extent of the larger of a query's bodies
-    bool batch = false;            ///< pairs in a row that differ are asked together
+    double margin =
+        usual_margin;    ///< where needs have one, over the extent of the larger of a query's bodies
+    bool batch = false;  ///< pairs in a row that differ are asked together
 
     /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

@@ -39,11 +39,12 @@ struct QueryArguments {
 
 /// Throws std::invalid_argument where one option leaves another without a meaning.
 void check_needs(const QueryArguments& options) {
-    if (options.margin && options.needs != Needs::nearer)
-        throw std::invalid_argument("--margin goes with --needs nearer: give both");
-    if (options.needs == Needs::nearer && options.query.contact_tolerance != 0)
+    if (options.margin && !has_margin(options.needs))
+        throw std::invalid_argument("--margin goes with --needs nearer or within: give both");
+    if (has_margin(options.needs) && options.query.contact_tolerance != 0)
         throw std::invalid_argument(
-            "--needs nearer asks for its --margin, not for contact: leave --contact-tolerance out");
+            fmt::format("--needs {} asks for its --margin, not for contact: leave --contact-tolerance out",
+                        to_string(options.needs)));
 }
 
 Json point_json(const Vec3d& p) { return {p.x(), p.y(), p.z()}; }
@@ -132,13 +133,12 @@ Json answer_case(const scene::Case& given, const Respondent& by, const QueryArgu
             "the bodies are too large, too small or too far apart for this precision: use f64, "
             "or another unit");
     }
-    const Needs needs = options.needs;
+    const bool asks_margin = has_margin(options.needs);
+    const double margin = asks_margin ? runner.margin(query) : 0;
+    const bool nearer = answer.distance.distance < margin;
+    const Needs needs = options.needs == Needs::within && nearer ? Needs::witnesses : options.needs;
     Json line = answer_json(given.id, answer, needs);
-    if (needs == Needs::nearer) {
-        const double margin = runner.margin(query);
-        line["margin"] = margin;
-        line["nearer"] = answer.distance.distance < margin;
-    }
+    if (asks_margin) line["margin"] = margin, line["nearer"] = nearer;
     if (needs < Needs::certificate) return line;
     const auto certificates = bench::certificates_of(answer, query, bodies, runner.stored_bodies(),
                                                      given.a.vertices, given.b.vertices);
@@ -173,10 +173,10 @@ Respondent chosen_respondent(const QueryArguments& options) {
         throw std::invalid_argument(
             fmt::format("table type {} does not hold what {} needs", types.front()->name, options.algorithm));
     }
-    // Answers are complete whatever is needed of them, except nearness, which has its own margins.
+    // Answers are complete whatever is needed of them; questions about a margin have it of the runner.
     const Needs needs = options.needs;
     runner->configure({.query = options.query,
-                       .needs = needs == Needs::nearer ? needs : Needs::witnesses,
+                       .needs = has_margin(needs) ? needs : Needs::witnesses,
                        .margin = options.margin.value_or(bench::usual_margin)});
     return {*types.front(), std::move(runner)};
 }

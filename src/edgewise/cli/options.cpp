@@ -245,10 +245,12 @@ void add_sub_distance_option(CLI::App& command, SubDistanceSolver& solver) {
 }
 
 void add_margin_option(CLI::App& command, std::optional<double>& margin) {
-    add_number(command, "--margin", margin, input::above_0,
-               fmt::format("the distance that --needs nearer asks about, divided by the larger body's extent "
-                           "(else {})",
-                           bench::usual_margin));
+    add_number(
+        command, "--margin", margin, input::above_0,
+        fmt::format(
+            "the distance that --needs nearer and within ask about, divided by the larger body's extent "
+            "(else {})",
+            bench::usual_margin));
 }
 
 CLI::Option* add_scene_option(CLI::App& command, std::string& scene) {

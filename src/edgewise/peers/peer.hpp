@@ -27,7 +27,7 @@ struct PeerQuery {
 struct PeerAnswer {
     bool answered = true;  ///< else the library reports a failure
     bool separated = false;
-    double distance = 0;  ///< 0 when not separated; meaningless of a peer that gives verdicts alone
+    double distance = 0;  ///< 0 when not separated; meaningless where the verdict alone is asked or given
     Vec3d point_a = Vec3d::Zero(), point_b = Vec3d::Zero();  ///< witnesses, when separated
 };
 
@@ -42,9 +42,9 @@ class PeerBench {
 
     /// Makes one shape for each body, and replaces the earlier shapes.
     virtual void make_shapes(std::span<const Polyhedron* const> bodies) = 0;
-    /// Poses in the library's type. `pairs`: how many caches are kept from query to query; 0: every query
-    /// starts cold.
-    virtual void prepare(std::span<const PeerQuery> queries, std::size_t pairs) = 0;
+    /// Poses in the library's type. `pairs`: number of caches that are kept from query to query; 0: every
+    /// query starts cold. `verdict_alone`: only whether bodies are separated is asked, in the fastest way.
+    virtual void prepare(std::span<const PeerQuery> queries, std::size_t pairs, bool verdict_alone) = 0;
     /// All pairs cold again.
     virtual void set_back() = 0;
     /// Queries first .. last - 1; the sum of their distances. Answers are written from answers[first] on

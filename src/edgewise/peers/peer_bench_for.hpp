@@ -12,7 +12,8 @@
 namespace edgewise::peers {
 
 /// Library: types Shape (made of a Polyhedron), Placed (made of a Pose) and Cache (default: cold), and
-///     static PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&).
+///     static PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&,
+///                             bool verdict_alone).
 template <class Library>
 class PeerBenchFor final : public PeerBench {
   public:
@@ -26,7 +27,7 @@ class PeerBenchFor final : public PeerBench {
         for (const Polyhedron* body : bodies) shapes_.push_back(std::make_unique<const Shape>(*body));
     }
 
-    void prepare(std::span<const PeerQuery> queries, std::size_t pairs) override {
+    void prepare(std::span<const PeerQuery> queries, std::size_t pairs, bool verdict_alone) override {
         asked_.clear();
         asked_.reserve(queries.size());
         for (const PeerQuery& query : queries) {
@@ -34,6 +35,7 @@ class PeerBenchFor final : public PeerBench {
                               Placed(query.pose_a), Placed(query.pose_b)});
         }
         caches_.assign(pairs, Cache{});
+        verdict_alone_ = verdict_alone;
     }
 
     void set_back() override { caches_.assign(caches_.size(), Cache{}); }
@@ -59,15 +61,15 @@ class PeerBenchFor final : public PeerBench {
     };
 
     PeerAnswer ask(const Asked& asked) {
-        if (!caches_.empty())
-            return Library::query(*asked.a, asked.placed_a, *asked.b, asked.placed_b, caches_[asked.pair]);
         Cache cold{};
-        return Library::query(*asked.a, asked.placed_a, *asked.b, asked.placed_b, cold);
+        return Library::query(*asked.a, asked.placed_a, *asked.b, asked.placed_b,
+                              caches_.empty() ? cold : caches_[asked.pair], verdict_alone_);
     }
 
     std::vector<std::unique_ptr<const Shape>> shapes_;
     std::vector<Asked> asked_;
     std::vector<Cache> caches_;
+    bool verdict_alone_ = false;
 };
 
 /// For PeerInfo::make.

@@ -212,11 +212,11 @@ Needs needs_of(const Json& json) {
     return *needs;
 }
 
-/// Margin for needs = nearer; 0 if none is given.
+/// Margin for needs that have one; 0 if none is given.
 double margin_of(const Json& json, Needs needs) {
     if (!json.contains("margin")) return 0;
-    if (needs != Needs::nearer)
-        throw JsonFault{"margin is only for needs = nearer: leave it out, or write both"};
+    if (!has_margin(needs))
+        throw JsonFault{"margin is only for needs = nearer or within: leave it out, or write both"};
     const auto margin = member<double>(json, "margin", 0, "a number");
     if (!(margin > 0 && margin <= largest_margin))
         throw JsonFault{fmt::format("margin = {} is out of bounds; choose above 0, to {:.0f} extents", margin,

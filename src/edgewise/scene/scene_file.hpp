@@ -47,7 +47,7 @@ struct SceneFile {
     std::vector<NamedShape> shapes;  ///< built-in, and of mesh files
     double time_step = 0;            ///< s
     Needs needs = Needs::witnesses;
-    double margin = 0;        ///< of Needs::nearer, over the larger body's extent; 0: the usual one
+    double margin = 0;        ///< where needs have one, over the larger body's extent; 0: the usual one
     std::size_t queries = 0;  ///< of every point; 0: as the plan says
     std::string note;
     std::vector<ScenePoint> points;                   ///< shapes x varied values

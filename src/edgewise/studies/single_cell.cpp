@@ -30,8 +30,8 @@ std::string algorithm_of(const CellChoice& choice, const bench::TableType& type)
     std::string algorithm = type.is_peer ? type.algorithms.front() : bench::select_algorithms(names).front();
     if (!type.serves(algorithm))
         throw std::invalid_argument(fmt::format("{} does not serve {}", type.name, algorithm));
-    if (choice.margin && choice.needs != Needs::nearer)
-        throw std::invalid_argument("a margin goes with needs nearer: give both");
+    if (choice.margin && !has_margin(choice.needs))
+        throw std::invalid_argument("a margin goes with needs nearer or within: give both");
     if (type.is_peer && choice.needs != Needs::witnesses)
         throw std::invalid_argument(fmt::format("{} answers with witnesses: leave needs out", type.name));
     return algorithm;

@@ -23,7 +23,7 @@ struct CellChoice {
     std::size_t queries = 1000;
     std::uint64_t seed = 1;
     Needs needs = Needs::witnesses;                                 ///< what is asked of every answer
-    std::optional<double> margin = {};                              ///< of Needs::nearer; else the usual one
+    std::optional<double> margin = {};                              ///< else the usual one
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;  ///< GJK's
     std::string peer = {};    ///< another library, as for select_peer_types, instead of table and algorithm
     std::size_t checked = 0;  ///< answers to be compared with exact ones

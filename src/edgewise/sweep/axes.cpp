@@ -30,14 +30,8 @@ constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_value
                            allocator_values = "arena|jemalloc|libc", batch_values = "no|yes",
                            sub_distance_values = "cofactors|johnson", hardening_values = "on|off",
                            start_values = "kept|cold", build_values = "tool|default",
-                           needs_values = "nearer|verdict|distance|witnesses|features|depth|certificate";
-
-/// A number above 0.
-double read_margin(std::string_view entry, std::string_view value) {
-    const double number = read_tolerance(entry, value, 1e60);
-    if (number == 0) refuse(entry, "wants a number above 0: no distance is below 0");
-    return number;
-}
+                           needs_values =
+                               "nearer|within|verdict|distance|witnesses|features|depth|certificate";
 
 std::optional<bench::Sharing> sharing_from(std::string_view name) {
     if (name == "shared") return bench::Sharing::shared;
@@ -86,7 +80,8 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "needs") {
         axes.set_needs(known(entry, needs_from(value), needs_values));
     } else if (name == "margin") {
-        axes.margin = read_margin(entry, value);
+        axes.margin = read_tolerance(entry, value, 1e60);
+        if (axes.margin == 0) refuse(entry, "wants a number above 0: no distance is below 0");
     } else {
         std::vector<std::string> names, plain;
         for (const AxisInfo& axis : axes_known()) {
@@ -97,14 +92,15 @@ void take(Axes& axes, std::string_view entry) {
     }
 }
 
-/// Refuses a margin without needs=nearer, and needs=nearer with a contact tolerance or in batches.
+/// Refuses a margin that nothing asks about, and a question about one with a contact tolerance or in batches.
 void check_margin(const Axes& axes, std::string_view text) {
-    const bool nearer = axes.needs == Needs::nearer;
-    if (!nearer && text.find("margin=") != text.npos)
-        refuse(text, "a margin goes with needs=nearer: write both");
-    if (nearer && axes.query.contact_tolerance != 0)
-        refuse(text, "needs=nearer asks for its margin, not for contact: leave contact_tolerance out");
-    if (nearer && axes.batch) refuse(text, "needs=nearer asks one pair at a time: leave batch out");
+    const bool asked = has_margin(axes.needs);
+    if (!asked && text.find("margin=") != text.npos)
+        refuse(text, "a margin goes with needs=nearer or needs=within: write both");
+    const auto needs = fmt::format("needs={}", to_string(axes.needs));
+    if (asked && axes.query.contact_tolerance != 0)
+        refuse(text, needs + " asks for its margin, not for contact: leave contact_tolerance out");
+    if (asked && axes.batch) refuse(text, needs + " asks one pair at a time: leave batch out");
 }
 
 /// Refuses an axis that such a loop does not know, because it was compiled alone.
@@ -136,7 +132,8 @@ const std::vector<AxisInfo>& axes_known() {
         {"hardening", hardening_values,
          "off: V-Clip as published, its doubtful answers counted instead of recomputed; not to be timed"},
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
-        {"margin", "RATIO", "the distance that needs=nearer asks about, divided by the larger body's extent"},
+        {"margin", "RATIO",
+         "the distance that needs=nearer and within ask about, divided by the larger body's extent"},
     };
     return axes;
 }
@@ -159,7 +156,7 @@ std::string Axes::text() const {
         parts.push_back(fmt::format("sub_distance={}", to_string(query.sub_distance)));
     if (!query.hardened) parts.emplace_back("hardening=off");
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
-    if (needs == Needs::nearer) parts.push_back(fmt::format("margin={}", margin));
+    if (has_margin(needs)) parts.push_back(fmt::format("margin={}", margin));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 

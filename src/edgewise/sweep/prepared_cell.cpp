@@ -2,6 +2,7 @@
 #include "edgewise/sweep/prepared_cell.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -97,7 +98,8 @@ const std::vector<std::optional<bool>>& SharedQueries::control(std::span<const P
 
 std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span<const Polyhedron> stored,
                                                 std::span<const Distance> answers, double eps,
-                                                const QueryOptions& options, const MarginOf& margin) {
+                                                const QueryOptions& options, const MarginOf& margin,
+                                                bool gives_distance) {
     auto& known_stored = shared.known(stored);
     auto& known_given = shared.known(shared.workload().bodies);
     const auto& control = shared.control(stored);
@@ -111,9 +113,11 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
         const truth::PlacedBodies bodies = scene::placed(stored, query);
         const truth::AccuracyBand band = bodies.band(eps);
         truth::KnownPair& known = known_stored[k];
-        if (margin) {
-            result.push_back(truth::check_nearness(answer.status == Status::touching, known.exact(bodies),
-                                                   margin(query), band, options.gap_tolerance));
+        const bool is_beyond = margin && answer.status == Status::separated &&
+                               (!gives_distance || answer.distance >= margin(query));
+        if (margin && (is_beyond || !gives_distance)) {
+            result.push_back(truth::check_nearness(!is_beyond, known.exact(bodies), margin(query), band,
+                                                   options.gap_tolerance));
             if (answer.status > Status::touching) result.back().verdict_wrong = true;  // it says neither
             continue;
         }
@@ -188,16 +192,17 @@ void PreparedCell::check(SharedQueries& shared) {
                             workload_->warm ? bench::cold_starts(*workload_) : std::vector<std::uint8_t>{});
     double sum = 0;
     for (const Distance& answer : answers) {
-        if (options_.needs > Needs::nearer) in_contact_.push_back(answer.status != Status::separated);
+        if (!has_margin(options_.needs)) in_contact_.push_back(answer.status != Status::separated);
         distances_.push_back(sum += answer.distance);
     }
     const auto stored = runner_->stored_bodies();
     QueryOptions asked = options_.query;
     asked.verdict_only = asked.verdict_only || type_->verdict_only;
     MarginOf margin;
-    if (options_.needs == Needs::nearer)
+    if (has_margin(options_.needs))
         margin = [&](const scene::Query& query) { return runner_->margin(query); };
-    checked_ = check_answers(shared, stored, answers, type_->eps, asked, margin);
+    checked_ =
+        check_answers(shared, stored, answers, type_->eps, asked, margin, options_.needs == Needs::within);
     wrong_ = what_is_wrong(shared, checked_, type_->eps);
 }
 
@@ -285,8 +290,8 @@ void CellRun::make_unavailable(const std::string& reason) {
 
 void CellRun::verify(SharedQueries& shared) {
     const scene::Workload& workload = axes_.starts_cold ? shared.cold_workload() : shared.workload();
-    if (cell_.type().is_peer && axes_.needs == Needs::nearer) {
-        make_unavailable("other libraries are not asked whether bodies are nearer than a margin");
+    if (cell_.type().is_peer && has_margin(axes_.needs)) {
+        make_unavailable("other libraries are not asked about a margin");
         return;
     }
     if (const std::string error = cell_.load(workload); !error.empty()) {

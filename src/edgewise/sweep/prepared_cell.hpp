@@ -62,12 +62,11 @@ using MarginOf = std::function<double(const scene::Query&)>;
 
 /// Returns the checked answers of one cell. `stored`: the bodies that its tables hold. `eps`: the rounding
 /// step of its arithmetic; it alone decides the allowed errors. `options`: the tolerances of the answers.
-/// With a margin the answers say whether bodies are nearer than the margin (bench::near_answer).
-[[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared,
-                                                              std::span<const Polyhedron> stored,
-                                                              std::span<const Distance> answers, double eps,
-                                                              const QueryOptions& options = {},
-                                                              const MarginOf& margin = {});
+/// With a margin the answers say whether bodies are nearer than the margin (bench::near_answer), and with
+/// `gives_distance` how near.
+[[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(
+    SharedQueries& shared, std::span<const Polyhedron> stored, std::span<const Distance> answers, double eps,
+    const QueryOptions& options = {}, const MarginOf& margin = {}, bool gives_distance = false);
 
 /// Returns what is wrong, with the first case as an example; empty if every checked answer is right.
 [[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,

@@ -212,7 +212,10 @@ void SweepWork::each_cell(const SceneWork& scene,
             }
         }
     }
-    for (const bench::TableType* peer : peers) use(*peer, peer->algorithms.front(), scene.axes.front());
+    for (const bench::TableType* peer : peers)
+        for (const Axes& axes : scene.axes)
+            if (&axes == &scene.axes.front() || axes.text() == "needs=verdict")
+                use(*peer, peer->algorithms.front(), axes);
 }
 
 std::vector<scene::NamedShape> shapes_of(const Plan& plan,

@@ -11,9 +11,12 @@
 // that of the worse of the two rotations: code that uses R_A^T R_B may differ by it from R v + t as given.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
+#include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/geometry/tolerance.hpp"
 
 namespace edgewise::truth {
 
@@ -30,17 +33,33 @@ struct AccuracyBand {
     }
 };
 
-/// eps: Tolerance<Compute>::eps.
-[[nodiscard]] AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a,
-                                         std::span<const Vec3d> b, const Pose& pose_b, double eps);
-
 /// Size of a body as the band needs it: the largest |v|, and the diagonal of the box of its vertices.
 struct BodySize {
     double reach = 0, extent = 0;
 };
 
 /// Returns the band of two bodies of known size, at any poses. ortho_error: that of the worse rotation.
-[[nodiscard]] AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
-                                         double ortho_error, double eps);
+[[nodiscard]] inline AccuracyBand accuracy_band(const BodySize& a, const BodySize& b, double offset,
+                                                double ortho_error, double eps) {
+    const double largest_extent = std::max(a.extent, b.extent);
+    AccuracyBand result;
+    result.scale = std::max({largest_extent, offset, a.reach, b.reach});
+    result.band = verdict_band_steps * eps * result.scale + verdict_band_ortho * ortho_error * largest_extent;
+    return result;
+}
+
+[[nodiscard]] inline double reach(std::span<const Vec3d> points) {
+    double largest = 0;
+    for (const Vec3d& p : points) largest = std::max(largest, norm(p));
+    return largest;
+}
+
+/// eps: Tolerance<Compute>::eps.
+[[nodiscard]] inline AccuracyBand accuracy_band(std::span<const Vec3d> a, const Pose& pose_a,
+                                                std::span<const Vec3d> b, const Pose& pose_b, double eps) {
+    const double apart = norm(Vec3d(pose_b.translation - pose_a.translation));
+    const double ortho = std::max(ortho_error(pose_a.rotation), ortho_error(pose_b.rotation));
+    return accuracy_band(BodySize{reach(a), extent(a)}, BodySize{reach(b), extent(b)}, apart, ortho, eps);
+}
 
 }  // namespace edgewise::truth

@@ -97,6 +97,7 @@ std::optional<CheckedAnswer> check_by_interval(const Claim& claim, const ProvenP
         if (claim.separated || !checked.in_band) return std::nullopt;
         return checked;
     }
+    checked.has_distance = !claim.verdict_only;
     if (claim.verdict_only) return checked;
     if (claim.separated) checked.error = std::max(claim.distance - known.lower, known.upper - claim.distance);
     checked.witness_error = claim.witness_error;
@@ -125,6 +126,7 @@ CheckedAnswer check(const Claim& claim, const PlacedBodies& bodies, KnownPair& k
     const bool needs_depth = claim.separated || claim.depth;
     check_verdict(claim, separated, signed_gap(exact, bodies, known, needs_depth, tolerance), tolerance,
                   checked);
+    checked.has_distance = !claim.verdict_only;
     if (claim.verdict_only) return checked;
     checked.error = distance_error(claim, exact, tolerance);
     checked.witness_error = claim.witness_error;
@@ -145,6 +147,7 @@ CheckedAnswer check_nearness(bool nearer, const ExactDistance& exact, double mar
                              double gap_tolerance) {
     const double beyond = exact.distance - margin;
     CheckedAnswer checked;
+    checked.has_distance = false;
     checked.exact = exact.verdict;
     checked.band = band;
     checked.in_band = std::abs(beyond) <= band.band;

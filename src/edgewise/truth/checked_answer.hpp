@@ -118,9 +118,10 @@ struct CheckedAnswer {
     bool verdict_wrong = false;  ///< contact against no contact outside the band, or a distance that is NaN
     bool in_band = false;  ///< the pair is nearer to grazing than the band, as far as its depth was asked
     bool distance_wrong = false, depth_wrong = false;
-    bool is_bound = false;   ///< an interval proved the answer right: errors are upper bounds
-    double error = 0;        ///< |d - d*|, contact counting as d = 0; d* of the bodies that the table holds
-    double error_given = 0;  ///< |d - d*|, d* of the bodies as given; set on request
+    bool is_bound = false;     ///< an interval proved the answer right: errors are upper bounds
+    bool has_distance = true;  ///< false: only the verdict was asked, and no error is set
+    double error = 0;          ///< |d - d*|, contact counting as d = 0; d* of the bodies that the table holds
+    double error_given = 0;    ///< |d - d*|, d* of the bodies as given; set on request
     double witness_error = 0, depth_error = 0;
     AccuracyBand band;
     /// True if the verdict differs from the paper's control; no value if the control was not asked or has

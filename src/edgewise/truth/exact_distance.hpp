@@ -15,7 +15,7 @@
 
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/result.hpp"
-#include "edgewise/truth/depth/seed_simplex.hpp"
+#include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::truth {
 

@@ -18,7 +18,6 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/truth/depth/expanding_polytope.hpp"
-#include "edgewise/truth/depth/seed_simplex.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::truth {

@@ -92,6 +92,45 @@ TEST(NearPair, KnowsNothingBeforeItAsks) {
     EXPECT_EQ(nothing.at(here).least, 0);
 }
 
+/// Near: the distance by brute force. Beyond: no answer, mostly without a query, and a lower bound that
+/// holds.
+template <class Algorithm>
+void expect_answers_within(double step, double margin) {
+    scene::Rng rng(13);
+    const Polyhedron body = scene::make_shape("sphere38").or_throw();
+    const lean<f64> table(body, Algorithm::parts);
+    NearPair<Algorithm, lean<f64>, lean<f64>> pair(table, table);
+    int near = 0, beyond = 0, untold = 0;
+    double worst = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Pose pose_b{turn(Vec3d::UnitZ(), step * i), Vec3d(2.3 + std::sin(step * i), 0.1, 0.05)};
+        const Transform<double> a_from_b{pose_b.rotation, pose_b.translation};
+        const double truth = truth::brute_force_distance(body, {}, body, pose_b);
+        const std::uint64_t before = pair.queries();
+        const auto answer = pair.answer_within(margin, a_from_b);
+        if (std::abs(truth - margin) > 1e-12) {
+            EXPECT_EQ(answer.has_value(), truth < margin) << i;
+        }
+        worst =
+            std::max(worst, answer ? std::abs(answer->distance - truth) : pair.at_least(a_from_b) - truth);
+        if (!answer) {
+            EXPECT_GE(pair.at_least(a_from_b), margin * (1 - 1e-12)) << i;
+        }
+        ++(answer ? near : beyond);
+        untold += !answer && pair.queries() > before;
+    }
+    std::printf("%s, %g rad a step: %d nearer than %g, %d beyond, %d of them by a query; off by %.2g\n",
+                std::string(Algorithm::name).c_str(), step, near, margin, beyond, untold, worst);
+    EXPECT_LE(worst, 1e-14);
+    EXPECT_GT(std::min(near, beyond), 50);
+    EXPECT_LT(untold, beyond / 3);
+}
+
+TEST(NearPair, AnswersWithinADistanceAndProvesTheRestFarther) {
+    expect_answers_within<VClip>(0.01, 0.4);
+    expect_answers_within<Gjk>(0.02, 0.3);
+}
+
 /// Distances around the ends of the carried bounds, by parts of the motion: nearer_than decides where these
 /// do, to rounding.
 TEST(NearPair, TellsWhereItsCarriedBoundsDo) {

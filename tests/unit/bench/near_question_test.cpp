@@ -35,9 +35,9 @@ const Scene random_turns{"random", "tumble", "cube8", {{"random_orientation", 1}
 const Scene cold_scene{"cold", "cold", "cube8", {{"overlapping", 0.3}}};
 
 studies::SingleCell cell_of(const Scene& scene, const std::string& table, const std::string& algorithm,
-                            double margin) {
+                            double margin, Needs needs = Needs::nearer) {
     return studies::SingleCell(
-        {table, algorithm, scene.kind, scene.shape, scene.parameters, 600, 3, Needs::nearer, margin});
+        {table, algorithm, scene.kind, scene.shape, scene.parameters, 600, 3, needs, margin});
 }
 
 /// Every A, and the place of every B, as in the pair's first query.
@@ -62,9 +62,9 @@ class Subject {
 
     [[nodiscard]] const scene::Workload& workload() const { return workload_; }
 
-    [[nodiscard]] std::unique_ptr<Runner> runner(double margin) const {
+    [[nodiscard]] std::unique_ptr<Runner> runner(double margin, Needs needs = Needs::nearer) const {
         auto made = cell_.type().make_runner(algorithm_);
-        made->configure({.needs = Needs::nearer, .margin = margin});
+        made->configure({.needs = needs, .margin = margin});
         EXPECT_EQ(made->load(workload_), "");
         return made;
     }
@@ -156,6 +156,37 @@ TEST_P(NearQuestion, IsNeverWrongWhateverTheMotion) {
     EXPECT_GT(tally.asked_far, 0);
 }
 
+TEST_P(NearQuestion, WithinItsMarginGivesTheDistance) {
+    const auto [table, algorithm] = GetParam();
+    const double eps = std::string(table).ends_with("f32") ? Tolerance<float>::eps : Tolerance<double>::eps;
+    for (const Scene* scene : {&coherent, &random_turns, &cold_scene}) {
+        const Subject subject(*scene, table, algorithm);
+        const std::vector<double> truth = subject.true_distances();
+        const double size = extent(subject.workload().bodies[0].vertices), doubt = 16 * size * eps;
+        int near = 0, beyond = 0, told = 0;
+        double worst = 0;
+        for (const double part : margins_around(truth, size)) {
+            const auto runner = subject.runner(part, Needs::within);
+            const std::vector<Distance> answers = runner->answer();
+            for (std::size_t i = 0; i < answers.size(); ++i) {
+                const double margin = runner->margin(subject.workload().queries[i]);
+                const bool is_beyond =
+                    answers[i].status == Status::separated && answers[i].distance >= margin;
+                if (std::abs(truth[i] - margin) > doubt) ASSERT_EQ(is_beyond, truth[i] > margin) << i;
+                if (!is_beyond) worst = std::max(worst, std::abs(answers[i].distance - truth[i]) / size);
+                ++(is_beyond ? beyond : near);
+                told += answers[i].steps == 0;
+            }
+        }
+        std::printf("%s, %s %s: %d within, %d beyond, %d of them from bounds; off by %.2g of the size\n",
+                    scene->name, table, algorithm, near, beyond, told, worst);
+        EXPECT_LE(worst, 16 * eps);
+        EXPECT_GT(std::min(near, beyond), 500);
+        EXPECT_LE(told, beyond) << "bounds give no distance";
+        EXPECT_EQ(told > 0, scene == &coherent) << "other pairs turn too far for their bounds";
+    }
+}
+
 /// Counts the accesses of each query to tables and to the cache of its pair, and the bytes of that cache.
 class PerQuery final : public measure::TraceListener {
   public:
@@ -185,8 +216,11 @@ class PerQuery final : public measure::TraceListener {
 
 TEST_P(NearQuestion, ReadsNoTableWhereBoundsTell) {
     const auto [table, algorithm] = GetParam();
-    for (const Scene* scene : {&coherent, &cold_scene}) {
-        const studies::SingleCell cell = cell_of(*scene, table, algorithm, 0.2);
+    for (const auto& [scene, needs] : {std::pair{&coherent, Needs::nearer},
+                                       {&coherent, Needs::within},
+                                       {&cold_scene, Needs::nearer},
+                                       {&cold_scene, Needs::within}}) {
+        const studies::SingleCell cell = cell_of(*scene, table, algorithm, 0.2, needs);
         const std::vector<Distance> answers = cell.runner().answer();
         std::vector<Distance> traced(answers.size());
         PerQuery reads;

@@ -22,6 +22,8 @@ namespace {
 
 /// How often a query found its pair's cache warm.
 int warm_starts = 0;
+/// How often the verdict alone was asked.
+int verdicts_alone = 0;
 
 struct OwnGjk {
     struct Shape {
@@ -37,7 +39,8 @@ struct OwnGjk {
     };
 
     static peers::PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
-                                   Cache& cache) {
+                                   Cache& cache, bool verdict_alone) {
+        verdicts_alone += verdict_alone;
         warm_starts += cache.pair.count() > 0;
         const Distance found = to_world(
             Gjk::query(Canonical(a.body), Canonical(b.body), relative_pose(at_a.pose, at_b.pose), cache.pair),
@@ -48,7 +51,7 @@ struct OwnGjk {
 
 /// Whatever it is asked, the bodies are one apart.
 struct Liar : OwnGjk {
-    static peers::PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&) {
+    static peers::PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&, bool) {
         return {true, true, 1, Vec3d::Zero(), Vec3d(1, 0, 0)};
     }
 };
@@ -106,6 +109,20 @@ TEST(PeerRunner, GivesTheLibrarysAnswersInTheFrameOfA) {
             std::printf("peer runner, %s, %s: worst error %.3g\n", scene, info->precision, worst);
             EXPECT_LE(worst, 1e-14);
         }
+    }
+}
+
+TEST(PeerRunner, AsksForTheVerdictAloneWhereNoMoreIsNeeded) {
+    const scene::Workload workload = workload_of("cold", 20);
+    for (const Needs needs : {Needs::verdict, Needs::distance}) {
+        PeerRunner runner(own);
+        RunnerOptions options;
+        options.set_needs(needs);
+        runner.configure(options);
+        ASSERT_EQ(runner.load(workload), "");
+        verdicts_alone = 0;
+        static_cast<void>(runner.answer());
+        EXPECT_EQ(verdicts_alone, needs == Needs::verdict ? 20 : 0);
     }
 }
 

@@ -21,7 +21,7 @@ struct Silent {
     };
     struct Cache {};
 
-    static peers::PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&) {
+    static peers::PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&, bool) {
         return {.answered = false};
     }
 };

@@ -53,6 +53,7 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
                              "needs=certificate",
                              "needs=nearer+margin=0.1",
                              "needs=nearer+margin=0.02",
+                             "needs=within+margin=0.1",
                              "start=cold+build=default",
                              "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
@@ -99,6 +100,7 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("allocator=mine").find("wants arena|jemalloc|libc"), std::string::npos);
     EXPECT_NE(error_of("margin=0.1").find("write both"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+batch=yes").find("leave batch out"), std::string::npos);
+    EXPECT_NE(error_of("needs=within+batch=yes").find("needs=within asks one pair"), std::string::npos);
     EXPECT_NE(error_of("batch=maybe").find("no|yes"), std::string::npos);
     EXPECT_NE(error_of("start=warm").find("kept|cold"), std::string::npos);
     EXPECT_NE(error_of("build=fast").find("tool|default"), std::string::npos);

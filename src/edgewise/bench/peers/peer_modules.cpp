@@ -148,7 +148,7 @@ NamedAnswer PeerRunner::answer(const scene::Query& given) const {
     NamedAnswer result;
     if (!in_range(query)) return result;
     const peers::PeerQuery asked = query_of(query);
-    bench_->prepare(std::span(&asked, 1), 0);
+    bench_->prepare(std::span(&asked, 1), 0, false);
     peers::PeerAnswer found;
     bench_->run(0, 1, &found);
     result.distance = to_world(distance_of(found, query.pose_a), query.pose_a);
@@ -159,7 +159,7 @@ Runner::RangePass PeerRunner::prepared_range() const {
     const scene::Workload& workload = prepared().workload();
     std::vector<peers::PeerQuery> asked;
     for (const scene::Query& query : workload.queries) asked.push_back(query_of(query));
-    bench_->prepare(asked, workload.warm ? workload.pair_count : 0);
+    bench_->prepare(asked, workload.warm ? workload.pair_count : 0, options().needs == Needs::verdict);
     return [this, &workload](std::size_t first, std::size_t last, Distance* answers) {
         if (first == 0) bench_->set_back();
         if (!answers) return bench_->run(first, last, nullptr);

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/bench/scales/scale_places.hpp"
 #include "edgewise/bench/scales/scale_times.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"

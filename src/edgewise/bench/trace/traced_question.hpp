@@ -65,7 +65,7 @@ struct PairTouch {
 
 struct TracedQuestion {
     const QueryOptions& options;
-    const NearMargins* near = nullptr;  ///< null: what is asked is more than nearness
+    const NearMargins* near = nullptr;  ///< null: no margin is asked about
 
     /// A pair's cache is read first and written last, completely unless its bounds decide.
     template <class Traced>
@@ -74,10 +74,9 @@ struct TracedQuestion {
         using enum measure::AccessKind;
         const Transform<double> a_from_b = relative_pose(query.pose_a, query.pose_b);
         if (near && touch.warm) {
-            const double margin = near->margin(query);
-            if (const auto told = traced.cache.bounds.nearer_than(margin, a_from_b)) {
+            if (const auto told = near->told_by(traced.cache.bounds, query, a_from_b)) {
                 touch(sizeof(DistanceBounds), read);
-                return near_answer(*told, margin);
+                return near_answer(*told, near->margin(query));
             }
         }
         touch(touch.places.pair_bytes, read);
@@ -95,10 +94,7 @@ struct TracedQuestion {
         using Algorithm = typename Traced::AlgorithmType;
         auto& [a, b, cache] = traced;
         if (!near) return Algorithm::query(a, b, a_from_b, cache.pair, options, marks);
-        if (!warm)
-            return ask_cold_near<Algorithm>(a, b, a_from_b, cache.pair, near->margin(query), options, marks);
-        return ask_warm_near<Algorithm>(a, b, a_from_b, cache, near->margin(query), near->radii(query),
-                                        options, marks);
+        return ask_tables_near<Algorithm>(a, b, a_from_b, cache, warm, *near, query, options, marks);
     }
 };
 

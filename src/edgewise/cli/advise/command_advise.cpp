@@ -252,9 +252,9 @@ studies::advise::CaseAsked case_asked(const AdviseArguments& options) {
     }
     static_cast<void>(scene::complete_parameters(asked.scene.name, asked.scene.parameters).or_throw());
     if (options.needs) asked.needs = *options.needs;
-    if (asked.needs == Needs::nearer)
-        throw std::invalid_argument(
-            "--needs nearer: no advice is about verdicts on a margin; write --needs distance");
+    if (has_margin(asked.needs))
+        throw std::invalid_argument(fmt::format(
+            "--needs {}: no advice is about a margin; write --needs distance", to_string(asked.needs)));
     asked.error_limit = options.error;
     asked.seed = options.seed;
     return asked;

@@ -4,6 +4,11 @@
 // the times of a fixed piece of work vary. Both need no permission.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "edgewise/measure/process/thread_usage.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 
@@ -35,8 +40,29 @@ struct Quietness {
     [[nodiscard]] bool is_quiet() const { return others <= 0.02 && scatter <= 0.05; }
 };
 
+/// Multiplications that wait for each other: about a millisecond, the same number on every call.
+[[nodiscard]] inline double time_of_fixed_work() {
+    constexpr int multiplications = 1'000'000;
+    const Stopwatch watch;
+    std::uint64_t state = 1;
+    for (int i = 0; i < multiplications; ++i) state = state * 6364136223846793005U + 1;
+    volatile std::uint64_t kept = state;
+    static_cast<void>(kept);
+    return watch.elapsed_ns();
+}
+
 /// Works for a quarter of a second and looks at its times.
-[[nodiscard]] Quietness look_at_quietness();
+[[nodiscard]] inline Quietness look_at_quietness() {
+    constexpr double seconds = 0.25;
+    std::vector<double> times;
+    ShareOfOthers others;
+    others.begin();
+    for (const Stopwatch watch; watch.elapsed_ns() < 1e9 * seconds;) times.push_back(time_of_fixed_work());
+    others.end();
+    std::ranges::sort(times);
+    const std::size_t middle = times.size() / 2, high = times.size() * 9 / 10;
+    return {others.share(), times[high] / times[middle] - 1};
+}
 
 /// A sweep whose thread lost more than this to others while it timed recommends nothing: intervals over
 /// rounds do not show what is common to all rounds.

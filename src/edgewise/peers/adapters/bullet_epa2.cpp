@@ -25,7 +25,7 @@ struct BulletEpa2 {
     };
 
     static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
-                            Cache& cache) {
+                            Cache& cache, bool) {
         const btVector3 guess = cache.is_warm
                                     ? cache.direction
                                     : btVector3(at_b.transform.getOrigin() - at_a.transform.getOrigin());

@@ -24,7 +24,8 @@ struct BulletPairDetector {
     using Placed = BulletPlaced;
     struct Cache {};
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool) {
         btVoronoiSimplexSolver simplex;
         btGjkPairDetector detector(&a.hull, &b.hull, &simplex, nullptr);
         btGjkPairDetector::ClosestPointInput input;

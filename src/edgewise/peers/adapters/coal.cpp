@@ -5,6 +5,7 @@
 #include <coal/narrowphase/narrowphase.h>
 #include <coal/shape/convex.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -30,7 +31,8 @@ namespace {
 struct Coal {
     static constexpr const char* name = "coal";
     static constexpr const char* precision = "f64";
-    static constexpr const char* summary = "GJKSolver::shapeDistance on Convex, default tolerance";
+    static constexpr const char* summary =
+        "GJKSolver::shapeDistance on Convex, default tolerance; verdicts with an upper bound of 0";
     static constexpr const char* cache = "the last direction and support vertices";
     static constexpr bool verdict_only = false;
 
@@ -59,9 +61,10 @@ struct Coal {
     }
 
     static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
-                            Cache& cache) {
+                            Cache& cache, bool verdict_alone) {
         using Status = coal::details::GJK::Status;
         coal::GJKSolver& asked = solver();
+        asked.distance_upper_bound = verdict_alone ? 0 : std::numeric_limits<double>::max();
         asked.cached_guess = cache.direction;
         asked.support_func_cached_guess = cache.vertices;
         coal::Vec3s point_a, point_b, normal;
@@ -70,8 +73,9 @@ struct Coal {
         cache = {asked.cached_guess, asked.support_func_cached_guess};
         PeerAnswer answer;
         answer.answered = asked.gjk.status != Status::Failed;
-        answer.separated = asked.gjk.status == Status::NoCollision && distance > 0;
-        if (!answer.separated) return answer;
+        answer.separated = asked.gjk.status == Status::NoCollisionEarlyStopped ||
+                           (asked.gjk.status == Status::NoCollision && distance > 0);
+        if (verdict_alone || !answer.separated) return answer;
         answer.distance = distance;
         answer.point_a = point_a;
         answer.point_b = point_b;

@@ -29,7 +29,7 @@ struct FclIndep {
     };
 
     static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
-                            Cache& cache) {
+                            Cache& cache, bool) {
         cache.solver.enable_cached_guess = true;
         return ask_fcl(cache.solver, a, at_a, b, at_b);
     }

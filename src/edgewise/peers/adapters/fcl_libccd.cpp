@@ -15,7 +15,8 @@ namespace {
 struct FclLibccd {
     static constexpr const char* name = "fcl_libccd";
     static constexpr const char* precision = "f64";
-    static constexpr const char* summary = "GJKSolver_libccd::shapeDistance on Convex";
+    static constexpr const char* summary =
+        "GJKSolver_libccd::shapeDistance on Convex; verdicts by shapeIntersect";
     static constexpr const char* cache = "nothing";
     static constexpr bool verdict_only = false;
 
@@ -23,9 +24,12 @@ struct FclLibccd {
     using Placed = FclPlaced;
     struct Cache {};
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool verdict_alone) {
         static const fcl::detail::GJKSolver_libccd<double> solver;
-        return ask_fcl(solver, a, at_a, b, at_b);
+        if (!verdict_alone) return ask_fcl(solver, a, at_a, b, at_b);
+        return {.separated =
+                    !solver.shapeIntersect(a.convex, at_a.transform, b.convex, at_b.transform, nullptr)};
     }
 };
 

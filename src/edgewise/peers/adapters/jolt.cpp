@@ -21,7 +21,7 @@ struct Jolt {
     static constexpr const char* name = "jolt";
     static constexpr const char* precision = "f32";
     static constexpr const char* summary =
-        "GJKClosestPoint::GetClosestPoints on PolygonConvexSupport, tolerance 0";
+        "GJKClosestPoint::GetClosestPoints on PolygonConvexSupport, tolerance 0; verdicts by Intersects";
     static constexpr const char* cache = "the last axis";
     static constexpr bool verdict_only = false;
 
@@ -57,18 +57,20 @@ struct Jolt {
     }
 
     static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b,
-                            Cache& cache) {
+                            Cache& cache, bool verdict_alone) {
         const JPH::Mat44 a_from_b = at_a.transform.InversedRotationTranslation() * at_b.transform;
         const JPH::PolygonConvexSupport<Vertices> body_a(a.vertices), body_b(b.vertices);
         const JPH::TransformedConvexObject<JPH::PolygonConvexSupport<Vertices>> placed_b(a_from_b, body_b);
         JPH::Vec3 axis = cache.is_warm ? cache.axis : first_axis(a_from_b);
         JPH::Vec3 point_a, point_b;
         JPH::GJKClosestPoint gjk;
-        const float squared = gjk.GetClosestPoints(body_a, placed_b, 0.0f, FLT_MAX, axis, point_a, point_b);
+        const float squared =
+            verdict_alone ? static_cast<float>(!gjk.Intersects(body_a, placed_b, 0.0f, axis))
+                          : gjk.GetClosestPoints(body_a, placed_b, 0.0f, FLT_MAX, axis, point_a, point_b);
         PeerAnswer answer;
         answer.separated = squared > 0;
         cache = {axis, answer.separated};
-        if (!answer.separated) return answer;
+        if (verdict_alone || !answer.separated) return answer;
         answer.distance = std::sqrt(squared);
         answer.point_a = from_jolt(at_a.transform * point_a);
         answer.point_b = from_jolt(at_a.transform * point_b);

@@ -54,7 +54,8 @@ struct Libccd {
         ccdVec3Set(farthest, point.x(), point.y(), point.z());
     }
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool) {
         ccd_t settings;
         CCD_INIT(&settings);
         settings.support1 = settings.support2 = support;

@@ -50,7 +50,8 @@ namespace {
 struct MuJoCo {
     static constexpr const char* name = "mujoco";
     static constexpr const char* precision = sizeof(mjtNum) == sizeof(double) ? "mixed" : "f32";
-    static constexpr const char* summary = "mjc_ccd on a mesh, no contacts asked for";
+    static constexpr const char* summary =
+        "mjc_ccd on a mesh, no contacts asked for; verdicts with a cutoff of 0";
     static constexpr const char* cache = "nothing";
     static constexpr bool verdict_only = false;
 
@@ -106,18 +107,19 @@ struct MuJoCo {
         return object;
     }
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool verdict_alone) {
         mjCCDConfig settings{};
         settings.max_iterations = 35;
         settings.tolerance = static_cast<mjtNum>(1e-6);
-        settings.dist_cutoff = mjMAX_LIMIT;
+        settings.dist_cutoff = verdict_alone ? 0 : mjMAX_LIMIT;
         mjCCDObj object_a = placed(a, at_a), object_b = placed(b, at_b);
         mjCCDStatus status;
         const mjtNum distance = mjc_ccd(&settings, &status, &object_a, &object_b);
         PeerAnswer answer;
-        answer.answered = distance < mjMAX_LIMIT;
+        answer.answered = verdict_alone || distance < mjMAX_LIMIT;
         answer.separated = answer.answered && distance > 0;
-        if (!answer.separated) return answer;
+        if (verdict_alone || !answer.separated) return answer;
         answer.distance = distance;
         answer.point_a = {status.x1[0], status.x1[1], status.x1[2]};
         answer.point_b = {status.x2[0], status.x2[1], status.x2[2]};

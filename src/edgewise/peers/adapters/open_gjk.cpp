@@ -70,7 +70,8 @@ struct OpenGjk {
         }
     };
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool) {
         static World world_a, world_b;
         gkSimplex simplex;
         simplex.nvrtx = 0;

@@ -59,7 +59,8 @@ struct PhysX {
     }
     static Vec3d from_physx(const physx::PxVec3& v) { return {v.x, v.y, v.z}; }
 
-    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&) {
+    static PeerAnswer query(const Shape& a, const Placed& at_a, const Shape& b, const Placed& at_b, Cache&,
+                            bool) {
         constexpr float any_distance = FLT_MAX, unit_length = 1;
         physx::PxVec3 point_a, point_b, axis;
         float separation = 0;

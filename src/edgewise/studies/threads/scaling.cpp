@@ -66,7 +66,7 @@ struct RoundTimes {
 };
 
 bench::RunnerOptions runner_options(const CellChoice& choice) {
-    if (choice.needs == Needs::nearer || choice.needs > Needs::witnesses)
+    if (has_margin(choice.needs) || choice.needs > Needs::witnesses)
         throw std::invalid_argument(
             fmt::format("needs {}: batches answer verdict, distance or witnesses only; choose one",
                         to_string(choice.needs)));

@@ -3,10 +3,10 @@
 // GJK over the filter's coordinates, shifted by the exact offset between the bodies rounded once, so the
 // guess is good however far from the origin the pair is. Stops when nothing improves; needs no tolerance,
 // because no result depends on the guess.
-#include "edgewise/truth/depth/seed_simplex.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::truth {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of Box3D's interface that its adapter uses, written from the calls. The distance is that of the means of
-// the points, and twice that distance if its cache is warm.
+// The part of Box3D's interface that its adapter uses, written from the calls. The distance is that of the
+// means of the points, and twice that distance if its cache is warm.
 #pragma once
 
 #include <cmath>
@@ -39,6 +39,19 @@ struct b3DistanceOutput {
     float distance;
 };
 struct b3Simplex;
+struct b3HullData {
+    b3Vec3 mean;
+};
+struct b3SATCache {
+    float separation;
+};
+struct b3LocalManifoldPoint {
+    float separation;
+};
+struct b3LocalManifold {
+    b3LocalManifoldPoint* points;
+    int pointCount;
+};
 
 inline b3Vec3 b3Add(b3Vec3 a, b3Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline b3Vec3 b3Sub(b3Vec3 a, b3Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -83,4 +96,17 @@ inline b3DistanceOutput b3ShapeDistance(const b3DistanceInput* input, b3SimplexC
     if (cache->count > 0) output.distance *= 2;
     cache->count = 1;
     return output;
+}
+
+inline b3HullData* b3CreateHull(const b3Vec3* points, int count, int most) {
+    return count > most ? nullptr : new b3HullData{mean_of({points, count, 0})};
+}
+inline void b3DestroyHull(b3HullData* hull) { delete hull; }
+
+/// A point of contact, as far apart as the means.
+inline void b3CollideHulls(b3LocalManifold* contact, int capacity, const b3HullData* a, const b3HullData* b,
+                           b3Transform a_from_b, b3SATCache* cache) {
+    const b3Vec3 offset = b3Sub(b3TransformWorldPoint(a_from_b, b->mean), a->mean);
+    contact->pointCount = capacity > 0 ? 1 : 0;
+    cache->separation = contact->points->separation = std::hypot(offset.x, offset.y, offset.z);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// MuJoCo's collision of convex bodies, written from the calls. The distance is that of the centres of the bodies'
-// boxes. Hill climbing and the table of extremes must give the same sides of a box.
+// MuJoCo's collision of convex bodies, written from the calls. The distance is that of the centres of the
+// bodies' boxes. Hill climbing and the table of extremes must give the same sides of a box.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -48,8 +48,8 @@ inline void mjc_initCCDObj(mjCCDObj* object, const mjModel* model, const mjData*
                          model->mesh_graph + model->mesh_graphadr[mesh], model->mesh_extrema + 27 * mesh};
 }
 
-/// The highest coordinate along the axis, in the body's frame, at the table's vertex. A climb from the first vertex
-/// must find the same vertex.
+/// The highest coordinate along the axis, in the body's frame, at the table's vertex. A climb from the first
+/// vertex must find the same vertex.
 inline mjtNum highest(const mjCCDObj& object, int axis, int sign) {
     const auto& mesh = object.data.mesh;
     const int count = mesh.graph[0];

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Coal's solver, written from the calls. The distance is that of the centroids of the bodies' volumes, so that faces
-// must be right too. It is twice that distance if the query starts from its last result.
+// Coal's solver, written from the calls. The distance is that of the centroids of the bodies' volumes, so
+// that faces must be right too. It is twice that distance if the query starts from its last result.
 #pragma once
 
 #include <coal/shape/convex.h>
+
+#include <limits>
 
 namespace coal {
 
@@ -12,13 +14,14 @@ enum GJKInitialGuess { DefaultGuess, CachedGuess };
 
 namespace details {
 struct GJK {
-    enum Status { DidNotRun, Failed, NoCollision, Collision };
+    enum Status { DidNotRun, Failed, NoCollisionEarlyStopped, NoCollision, Collision };
     Status status = DidNotRun;
 };
 }  // namespace details
 
 struct GJKSolver {
     details::GJK gjk;
+    double distance_upper_bound = std::numeric_limits<double>::max();
     GJKInitialGuess gjk_initial_guess = DefaultGuess;
     Vec3s cached_guess = {1, 0, 0};
     support_func_guess_t support_func_cached_guess = {0, 0};
@@ -33,6 +36,7 @@ struct GJKSolver {
         gjk.status =
             distance > 0 && !compute_penetration ? details::GJK::NoCollision : details::GJK::Collision;
         if (gjk.status == details::GJK::Collision) return 0;
+        if (distance > distance_upper_bound) gjk.status = details::GJK::NoCollisionEarlyStopped;
         normal = offset / distance;
         const support_func_guess_t left = {3, 5};
         const bool is_warm =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Jolt's query, written from the calls. The distance is that of the centres of the bodies' boxes, and twice that
-// distance if the query starts along the last axis.
+// Jolt's query, written from the calls. The distance is that of the centres of the bodies' boxes, and twice
+// that distance if the query starts along the last axis.
 #pragma once
 
 #include <Jolt/Jolt.h>
@@ -23,6 +23,13 @@ class GJKClosestPoint {
         const bool is_warm = axis == offset;
         axis = squared > tolerance ? offset : Vec3(0, 0, 0);
         return is_warm ? 4 * squared : squared;
+    }
+
+    /// Returns true if the centres are in one place.
+    template <class A, class B>
+    bool Intersects(const A& a, const B& b, float tolerance, Vec3& axis) {
+        Vec3 point_a, point_b;
+        return GetClosestPoints(a, b, tolerance, FLT_MAX, axis, point_a, point_b) == 0;
     }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/bench/scales/scale_places.hpp"
+#include "edgewise/bench/scales/scale_times.hpp"
 
 #include <cmath>
 
