@@ -80,7 +80,7 @@ class MujocoModel {
         if (cylinders_ > 0)
             std::fprintf(
                 stderr,
-                "%d cylinders are recorded as prisms of 32 sides around them, which are at their edges 0.5 %% of the radius wider\n",
+                "cylinders (%d) are recorded as prisms of 32 sides around them, which are at their edges 0.5 %% of the radius wider\n",
                 cylinders_);
         if (bodies_.empty()) throw std::invalid_argument("no geometry of the model takes part in collisions");
         joint_speed > 0 ? record_joints(seconds, rate, joint_speed, recorder)

@@ -248,7 +248,7 @@ TEST(Recorded, ACylinderOfMujocoIsAPrismAroundIt) {
                  R"(<mujoco><worldbody><geom type="cylinder" size="0.5 0.75"/></worldbody></mujoco>)");
     const Outcome outcome = run({"record", "can.xml", "--seconds", "0.01", "--out", "can.jsonl"}, folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("1 cylinders are recorded as prisms of 32 sides around them"));
+    EXPECT_THAT(outcome.err, HasSubstr("cylinders (1) are recorded as prisms of 32 sides around them"));
     const json vertices = json::parse(lines_of(text_of(folder / "can.jsonl")).at(0))["shapes"][0]["vertices"];
     ASSERT_EQ(vertices.size(), 64U);
     double nearest_side = 9;
