@@ -53,6 +53,12 @@ std::string joint_speed(const RecordArguments& options, const Engine& engine) {
     return fmt::format("{}", options.joints.value_or(engine.model.ends_with(".urdf") ? 1 : 0));
 }
 
+/// Messages of an engine, without the line end behind them and those within.
+std::string on_one_line_of(std::string messages) {
+    std::ranges::replace(messages, '\n', ' ');
+    return on_one_line(messages.substr(0, messages.find_last_not_of(' ') + 1));
+}
+
 int run_record(const RecordArguments& options, bool json) {
     const Engine engine = engine_of(options.model);
     const auto program =
@@ -70,8 +76,8 @@ int run_record(const RecordArguments& options, bool json) {
                                                 options.model, ran.value->exit_code - by_signal));
     if (ran.value->exit_code != 0)
         throw std::invalid_argument(fmt::format("{} ended with {}: {}", engine.program, ran.value->exit_code,
-                                                on_one_line(ran.value->err)));
-    if (!ran.value->err.empty()) warn(on_one_line(ran.value->err));
+                                                on_one_line_of(ran.value->err)));
+    if (!ran.value->err.empty()) warn(on_one_line_of(ran.value->err));
     const std::string& text = ran.value->out;
     input::write_output(options.out, options.out.ends_with(".gz") ? scene::gzipped(text) : text);
     const auto steps = std::ranges::count(text, '\n') - 1;  // after the header
