@@ -3,6 +3,7 @@
 # a message, if its engine is not found.
 find_package(mujoco CONFIG QUIET)
 find_package(Bullet QUIET)
+find_package(sdformat12 CONFIG QUIET)
 
 # edgewise_recorder(NAME FOUND PACKAGES LIBRARY...): the example record_NAME.
 function(edgewise_recorder NAME FOUND PACKAGES)
@@ -19,4 +20,5 @@ function(edgewise_recorder NAME FOUND PACKAGES)
     add_dependencies(edgewise_program record_${NAME})
 endfunction()
 edgewise_recorder(mujoco "${mujoco_FOUND}" "libmujoco-dev libmujoco-samples" mujoco::mujoco)
+edgewise_recorder(sdformat "${sdformat12_FOUND}" libsdformat-dev sdformat12::sdformat12)
 edgewise_recorder(bullet "${BULLET_FOUND}" libbullet-dev ${BULLET_LIBRARIES})

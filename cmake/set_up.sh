@@ -18,7 +18,7 @@ g++-riscv64-linux-gnu qemu-user'
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 # Engines that `edgewise record` runs: all for tests and if EDGEWISE_ENGINES=ON is in the environment; for "bullet", Bullet.
-wanted_by_recorders='libmujoco-dev libmujoco-samples libbullet-dev'
+wanted_by_recorders='libmujoco-dev libmujoco-samples libbullet-dev libsdformat-dev'
 [ "${EDGEWISE_ENGINES:-}" != bullet ] || wanted_by_recorders=libbullet-dev
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+#include "robot_parts.hpp"
+
 namespace {
 
 using MujocoRecorder = edgewise::Recorder<double>;
@@ -40,17 +42,6 @@ std::string file_of(const std::string& model) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(samples, error))
         if (entry.path().filename() == model) return entry.path().string();
     throw std::invalid_argument("no such file, nor a model of Debian's libmujoco-samples");
-}
-
-/// A prism around the cylinder, along z; 1 / cos(pi / 32) is 1.0048.
-std::vector<MujocoRecorder::Vector> prism_around(double radius, double half_length) {
-    constexpr int sides = 32;
-    const double step = mjPI / sides, outer = radius / std::cos(step);
-    std::vector<MujocoRecorder::Vector> vertices;
-    for (int i = 0; i < 2 * sides; ++i)
-        vertices.push_back({outer * std::cos((i | 1) * step), outer * std::sin((i | 1) * step),
-                            i % 2 == 0 ? half_length : -half_length});
-    return vertices;
 }
 
 /// Position and quaternion; the quaternion is w x y z in MuJoCo too.
@@ -77,11 +68,7 @@ class MujocoModel {
     void record(double seconds, double rate, double joint_speed) {
         MujocoRecorder recorder(std::cout, std::string("MuJoCo ") + mj_versionString(), model_->opt.timestep);
         add_bodies(recorder);
-        if (cylinders_ > 0)
-            std::fprintf(
-                stderr,
-                "cylinders (%d) are recorded as prisms of 32 sides around them, which are at their edges 0.5 %% of the radius wider\n",
-                cylinders_);
+        say_that_cylinders_are_prisms(cylinders_);
         if (bodies_.empty()) throw std::invalid_argument("no geometry of the model takes part in collisions");
         joint_speed > 0 ? record_joints(seconds, rate, joint_speed, recorder)
                         : record_dynamics(seconds, rate, recorder);
@@ -110,25 +97,19 @@ class MujocoModel {
         for (; data_->time < seconds - 1e-9; data_->time += step) {
             mj_forward(model_.get(), data_.get());
             write_step(recorder);
-            for (int joint = 0; joint < model_->njnt; ++joint) move_joint(joint, speed * step, goals);
+            for (int joint = 0; joint < model_->njnt; ++joint) move(joint, speed * step, goals);
         }
     }
 
-    /// Moves a hinge or a slide by `way` towards its goal; once there it gets another one. Others stay.
-    void move_joint(int joint, double way, std::vector<double>& goals) {
+    /// Moves a hinge or a slide; others stay.
+    void move(int joint, double way, std::vector<double>& goals) {
         const int type = model_->jnt_type[joint], at = model_->jnt_qposadr[joint];
         if (type != mjJNT_HINGE && type != mjJNT_SLIDE) return;
-        mjtNum& place = data_->qpos[at];
-        double& goal = goals[static_cast<std::size_t>(at)];
-        if (place == goal) {
-            const mjtNum* range = model_->jnt_range + 2 * joint;
-            const bool is_limited = model_->jnt_limited[joint] != 0;
-            const double farthest = type == mjJNT_HINGE ? mjPI : 1;
-            goal = std::uniform_real_distribution<double>(is_limited ? range[0] : -farthest,
-                                                          is_limited ? range[1] : farthest)(random_);
-        }
-        place += std::clamp(goal - place, -way, way);
-        if (std::abs(goal - place) < 1e-9) place = goal;
+        const mjtNum* const limits = model_->jnt_range + 2 * joint;
+        const JointRange range = model_->jnt_limited[joint] != 0 ? JointRange{limits[0], limits[1]}
+                                 : type == mjJNT_HINGE           ? free_turn
+                                                                 : free_slide;
+        move_joint(way, range, random_, data_->qpos[at], goals[static_cast<std::size_t>(at)]);
     }
 
     void add_bodies(MujocoRecorder& recorder) {

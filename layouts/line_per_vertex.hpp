@@ -12,7 +12,6 @@
 
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 #include <vector>
 

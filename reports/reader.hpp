@@ -5,8 +5,6 @@
 #pragma once
 
 #include <compare>
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>

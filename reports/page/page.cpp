@@ -7,7 +7,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>

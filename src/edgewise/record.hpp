@@ -19,7 +19,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 namespace edgewise {
 
@@ -75,6 +74,8 @@ class Recorder {
         return add_shape("hull", list("vertices", vertices, numbers<Vector>), radius);
     }
     std::size_t add_box(const Vector& half_extents, Scalar radius = 0) {
+        for (const Scalar half : half_extents)
+            if (!(half >= 0)) refuse("a half extent of a box is below 0");
         return add_shape("box", R"(,"half":)" + numbers(half_extents, "half_extents"), radius);
     }
     std::size_t add_sphere(Scalar radius) { return add_shape("sphere", "", radius); }
@@ -82,6 +83,8 @@ class Recorder {
     std::size_t add_capsule(Scalar half_length, Scalar radius) {
         return add_shape("capsule", R"(,"half_length":)" + number(half_length, "half_length"), radius);
     }
+    /// The hull of a mesh file that Edgewise reads; a relative path is relative to the recording.
+    std::size_t add_mesh(std::string_view file) { return add_shape("mesh", R"(,"file":)" + quoted(file), 0); }
     /// A shape without a polytope as its core, such as a plane: the reader counts it and leaves it out.
     std::size_t add_other(std::string_view type) { return add_shape(type, "", 0); }
 

@@ -10,11 +10,11 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "cli_paths.hpp"
 #include "edgewise/record.hpp"
 #include "program.hpp"
+#include "recorders.hpp"
 #include "sweep_store.hpp"
 
 namespace edgewise::cli_test {
@@ -31,11 +31,6 @@ std::vector<std::string> commands_of(const std::filesystem::path& page) {
     for (const std::string& line : lines_of(text_of(page)))
         if (line.starts_with(start)) commands.push_back(line.substr(start.size()));
     return commands;
-}
-
-/// Returns true if this build has the engine's recorder, as the option of a build says.
-bool has_recorder(const std::string& name) {
-    return std::filesystem::exists(std::filesystem::path(program_path).parent_path() / "recorders" / name);
 }
 
 /// Every command of the page, in its order, as a shell runs it. A sweep takes fewer rounds.
@@ -206,7 +201,8 @@ TEST(Recorded, NamesThePackageOfAMissingEngine) {
     std::filesystem::copy(program_path, folder / "edgewise");
     const std::pair<const char*, const char*> all[] = {
         {"bullet-wall", "Debian: libbullet-dev"},
-        {"humanoid.xml", "Debian: libmujoco-dev libmujoco-samples"}};
+        {"humanoid.xml", "Debian: libmujoco-dev libmujoco-samples"},
+        {"arm.sdf", "Debian: libsdformat-dev"}};
     for (const auto& [model, package] : all) {
         const Outcome outcome =
             run_in_shell(std::string("./edgewise record ") + model + " --out a.jsonl", {}, folder);
@@ -263,88 +259,6 @@ TEST(Recorded, ACylinderOfMujocoIsAPrismAroundIt) {
         nearest_side = std::min(nearest_side, std::hypot(x, y));
     }
     EXPECT_NEAR(nearest_side, 0.5, 1e-12) << "sides touch the cylinder";
-}
-
-constexpr const char* arm = R"(<robot name="arm">
-  <link name="base"><collision><geometry><box size="0.4 0.4 0.1"/></geometry></collision></link>
-  <link name="upper"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
-    <collision><origin xyz="0 0 0.3"/><geometry><mesh filename="package://arm/upper.obj"/></geometry></collision></link>
-  <link name="hand"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
-    <collision><geometry><box size="0.1 0.2 0.05"/></geometry></collision></link>
-  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 1 0"/>
-    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
-  <joint name="wrist" type="revolute"><parent link="upper"/><child link="hand"/><origin xyz="0 0 0.7"/><axis xyz="0 1 0"/>
-    <limit lower="-0.5" upper="0.25" effort="1" velocity="1"/></joint>
-</robot>
-)";
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
-/// Angle about y of the turn from one link to another.
-double turn_about_y(const json& from, const json& to) {
-    const double turn = 2 * (std::atan2(to[5].get<double>(), to[3].get<double>()) -
-                             std::atan2(from[5].get<double>(), from[3].get<double>()));
-    return std::remainder(turn, 2 * std::numbers::pi);
-}
-
-TEST(Recorded, ARobotMovesItsJointsWithinTheirLimits) {
-    if (!has_recorder("record_mujoco")) GTEST_SKIP() << "no MuJoCo here (Debian: libmujoco-dev)";
-    const Folder folder;
-    folder.write("arm.urdf", arm);
-    folder.write(
-        "upper.obj",
-        "v 0.1 0 -0.25\nv -0.1 0.1 -0.25\nv -0.1 -0.1 -0.25\nv 0 0 0.25\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf "
-        "3 1 4\n");
-    const Outcome recorded = run({"record", "arm.urdf", "--seconds", "20", "--out", "arm.jsonl"}, folder);
-    ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
-    const auto lines = lines_of(text_of(folder / "arm.jsonl"));
-    EXPECT_EQ(json::parse(lines.at(0))["bodies"].size(), 3U);
-    double least = 9, most = -9, before = 0, fastest = 0;
-    for (std::size_t i = 1; i < lines.size(); ++i) {
-        const json links = json::parse(lines[i])["poses"];
-        const double wrist = turn_about_y(links.at(1), links.at(2));
-        least = std::min(least, wrist);
-        most = std::max(most, wrist);
-        if (i > 1) fastest = std::max(fastest, std::abs(wrist - before));
-        before = wrist;
-    }
-    std::printf("wrist: %.3f to %.3f rad, at most %.5f rad per step\n", least, most, fastest);
-    EXPECT_GE(least, -0.5 - 1e-9);
-    EXPECT_LE(most, 0.25 + 1e-9);
-    EXPECT_LT(least, -0.4) << "joints use their range";
-    EXPECT_GT(most, 0.15);
-    EXPECT_NEAR(fastest, 1.0 / 60, 1e-9) << "1 rad/s";
-}
-
-TEST(Recorded, LinksOfARobotAreAskedOneByOne) {
-    if (!has_recorder("record_mujoco")) GTEST_SKIP() << "no MuJoCo here (Debian: libmujoco-dev)";
-    const Folder folder;
-    ASSERT_EQ(run({"record", "humanoid.xml", "--joints", "2", "--out", "robot.jsonl"}, folder).exit_code, 0);
-    folder.write("links.json", R"({"scene": "recorded", "recording": "robot.jsonl", "queries": 200,
-                                   "parameters": {"margin": 1}, "vary": {"link": [-1, 4, 7]}})");
-    const Outcome swept = run({"sweep", "--scenes", "links.json", "--layouts", "lean_f64", "--algorithms",
-                               "gjk", "--rounds", "2", "--store", "s.db", "--no-report"},
-                              folder);
-    EXPECT_EQ(swept.exit_code, 0) << swept.err;
-    EXPECT_THAT(swept.out, HasSubstr("3 cells: 3 verified, 0 failed"));
-}
-
-TEST(Recorded, ABrokenRobotIsOneLineWithItsPlace) {
-    if (!has_recorder("record_mujoco")) GTEST_SKIP() << "no MuJoCo here (Debian: libmujoco-dev)";
-    const Folder folder;
-    folder.write("broken.urdf", replaced(arm, R"(<child link="hand"/>)", R"(<child link="foot"/>)"));
-    folder.write("crash.urdf", replaced(arm, "revolute", "sideways"));  // MuJoCo 2.2.2 ends by a signal
-    folder.write("upper.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n");
-    const Outcome refused = run({"record", "broken.urdf", "--out", "a.jsonl"}, folder);
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_EQ(lines_of(refused.err).size(), 1U);
-    EXPECT_THAT(refused.err, AllOf(HasSubstr("broken.urdf"), HasSubstr("line 9"), Not(HasSubstr("??"))));
-    const Outcome crashed = run({"record", "crash.urdf", "--out", "a.jsonl"}, folder);
-    EXPECT_EQ(crashed.exit_code, 2);
-    EXPECT_THAT(crashed.err, HasSubstr("crash.urdf"));
-    EXPECT_EQ(run({"record", "bullet-stack", "--joints", "1", "--out", "a.jsonl"}, folder).exit_code, 2);
 }
 
 }  // namespace

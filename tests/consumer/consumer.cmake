@@ -71,7 +71,7 @@ endfunction()
 # The recorder of an engine writes a recording of a scene: a twentieth of a second.
 function(check_recorder NAME FOLDER SCENE)
     if(NOT EXISTS ${FOLDER}/${NAME})
-        message("${NAME} is not tried: its engine is not here (Debian: libbullet-dev, libmujoco-dev)")
+        message("${NAME} is not tried: its engine is not here (Debian: libbullet-dev, libmujoco-dev, libsdformat-dev)")
         return()
     endif()
     run("${NAME}.cpp" ${FOLDER}/${NAME} ${SCENE} 0.05)
@@ -100,6 +100,9 @@ function(check_consumer COMPILER FOLDER)
     file(WRITE ${SCRATCH}/box.xml "<mujoco><worldbody><geom type=\"box\" size=\"2 2 .1\"/><body pos=\"0 0 2\"><freejoint/>"
         "<geom type=\"box\" size=\".1 .1 .1\"/></body></worldbody></mujoco>\n")
     check_recorder(record_mujoco ${built} ${SCRATCH}/box.xml)
+    file(WRITE ${SCRATCH}/box.sdf "<sdf version='1.9'><model name='m'><link name='l'><collision name='c'><geometry><box><size>1 2 3</size>"
+        "</box></geometry></collision></link></model></sdf>\n")
+    check_recorder(record_sdformat ${built} ${SCRATCH}/box.sdf)
 endfunction()
 
 # Runs the project's ctest: EXPECTED is its exit code; every further word must occur in its output.

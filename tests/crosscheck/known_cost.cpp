@@ -14,7 +14,6 @@ struct KnownCost {
     static constexpr const char* precision = KNOWN_PRECISION;
     static constexpr const char* summary = "a loop";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     struct Shape {
         explicit Shape(const Polyhedron& body) : vertices(body.vertices) {}

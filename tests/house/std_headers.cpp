@@ -19,7 +19,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"bit", "bit_cast bit_width countl_zero countr_one countr_zero endian has_single_bit popcount"},
     {"cassert", "assert"},
     {"charconv", "chars_format from_chars to_chars"},
-    {"cmath", "abs ceil copysign fabs floor fma frexp hypot ilogb isfinite isnan ldexp nextafter sqrt"},
+    {"cmath", "abs ceil copysign fabs floor fma frexp hypot ilogb isfinite isinf isnan ldexp nextafter sqrt"},
     {"concepts", "convertible_to floating_point integral regular same_as unsigned_integral"},
     {"cstddef", "byte max_align_t nullptr_t ptrdiff_t size_t to_integer"},
     {"cstdint", "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintptr_t"},

@@ -36,7 +36,9 @@ edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (c
     [[if (count == 4) return weigh_passing<4, newest_belongs>(w, found) || true;]] Cofactors.* ${unit}/algorithms/johnson_test.cpp)
 edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;]] [[return Way::cofactors;]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
-edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[if (by_cofactors && width != LaneWidth::none)]] [[if (width != LaneWidth::none)]]
+edgewise_mutant(batch_takes_cutoffs_into_lanes algorithms/query_batch.hpp [[ && std::isinf(options.cutoff)]] [[]]
+    GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
+edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[options.sub_distance == SubDistanceSolver::cofactors && std::isinf(options.cutoff)]] [[std::isinf(options.cutoff)]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[Base(a, b, a_from_b, options.sub_distance),]] [[Base(a, b, a_from_b, SubDistanceSolver::cofactors),]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
@@ -53,6 +55,12 @@ edgewise_mutant(search_takes_the_wrong_face algorithms/search/sides.hpp [[l = ne
 edgewise_mutant(search_keeps_no_faces algorithms/search/sides.hpp [[return face | last(face) | edge;]] [[return face | edge;]] SingleSearch.* ${search})
 edgewise_mutant(depth_has_one_radius algorithms/rounded.hpp [[found.depth += a.radius + b.radius;]] [[found.depth += a.radius;]]
     Rounded.* ${unit}/algorithms/rounded_test.cpp)
+edgewise_mutant(kept_direction_unturned algorithms/kept_simplex.hpp [[dot(normal, difference_[0]) < 0 ? Vec3<Number>(-normal) : normal]] [[normal]]
+    KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(kept_direction_forgets_the_cutoff algorithms/kept_simplex.hpp [[(cutoff + Tolerance<Number>::support_noise * size_)]] [[(Tolerance<Number>::support_noise * size_)]]
+    KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(contact_in_the_whole_band algorithms/vclip/trust.hpp [[double{Tolerance<ComputeOf<TableA>>::meeting}]] [[double{Tolerance<ComputeOf<TableA>>::contact_noise}]]
+    VClipNearContact.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
 edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
@@ -73,7 +81,7 @@ edgewise_mutant(far_neighbours_are_near layout_parts/relative_table.hpp [[return
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
 edgewise_mutant(bounds_forget_the_turn algorithms/near_pair.hpp [[turned * squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
-edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z - cross(x, y)]] [[z.cwiseAbs() - cross(x, y).cwiseAbs()]] Answerable* ${unit}/algorithms/answerable_test.cpp)
+edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z.z() - (x.x() * y.y() - x.y() * y.x())]] [[std::abs(z.z()) - std::abs(x.x() * y.y() - x.y() * y.x())]] Answerable* ${unit}/algorithms/answerable_test.cpp)
 edgewise_mutant(squares_add_as_lengths algorithms/near_pair.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
@@ -82,11 +90,11 @@ edgewise_mutant(gjk_ends_at_once algorithms/sub_distance.hpp [[if (!gains(square
     RandomPairs* ${random_pairs})
 edgewise_mutant(gjk_direction_not_turned_back algorithms/gjk.hpp [[a_from_b_.direction_back(v)]] [[a_from_b_.direction(v)]]
     RandomPairs* ${random_pairs})
-edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (options_.verdict_only && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (options_.verdict_only)]]
+edgewise_mutant(verdict_without_a_direction algorithms/gjk.hpp [[if (reach_ - noise > cutoff_ * root)]] [[if (has_cutoff())]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (options_.verdict_only && reach_ - noise > std::sqrt(contact_squared_ * squared))]] [[if (false)]]
+edgewise_mutant(verdict_goes_on_to_the_distance algorithms/gjk.hpp [[if (reach_ - noise > cutoff_ * root)]] [[if (false)]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
-edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > std::sqrt(contact_squared_ * squared)]] [[reach_ > noise]]
+edgewise_mutant(verdict_forgets_the_tolerance algorithms/gjk.hpp [[reach_ - noise > cutoff_ * root]] [[has_cutoff() && reach_ > noise]]
     *OfAVerdict* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(normal_points_from_b_to_a algorithms/gjk.hpp [[(-1 / distance)]] [[(1 / distance)]]
     *Normal* ${unit}/algorithms/normal_test.cpp)
@@ -130,6 +138,8 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
+edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[if (is_scanned(a.table) && is_scanned(b.table)) return]] [[if (false) return]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]

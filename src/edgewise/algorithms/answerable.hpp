@@ -21,9 +21,13 @@ namespace edgewise {
 /// I, but 8 for a mirror image; NaN where an entry of R is NaN.
 template <class Scalar>
 [[nodiscard]] Scalar squared_rotation_error(const Mat3<Scalar>& r) {
-    const Vec3<Scalar> x = r.col(0), y = r.col(1), z = r.col(2);
+    const auto x = r.col(0), y = r.col(1), z = r.col(2);
     const Scalar xx = dot(x, x) - 1, yy = dot(y, y) - 1, xy = dot(x, y);
-    return xx * xx + yy * yy + 2 * (xy * xy + squared_norm(Vec3<Scalar>(z - cross(x, y))));
+    // Component by component: a whole difference waits for a whole product to pass through memory.
+    const Scalar along_x = z.x() - (x.y() * y.z() - x.z() * y.y()),
+                 along_y = z.y() - (x.z() * y.x() - x.x() * y.z()),
+                 along_z = z.z() - (x.x() * y.y() - x.y() * y.x());
+    return xx * xx + yy * yy + 2 * (xy * xy + along_x * along_x + along_y * along_y + along_z * along_z);
 }
 
 /// Returns true if the pose has at most this squared distance from a rotation, and is so short that a query

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/algorithms/simplex_pair.hpp"
 #include "edgewise/algorithms/subset.hpp"
@@ -22,6 +23,7 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
+#include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
 
@@ -73,17 +75,38 @@ class KeptSimplex {
         return count == 1;
     }
 
-    /// Returns true if closest() is the bodies' closest point to the precision of Number, or decides what is
-    /// asked for. False where nothing is proven: a search goes on.
+    /// Returns true if closest() is the bodies' closest point to the precision of Number, or lies within the
+    /// contact tolerance. False where nothing is proven: a search goes on.
     [[nodiscard]] bool is_proven(const QueryOptions& options) const {
         const Number squared = squared_norm(closest_.point), length = std::sqrt(squared);
-        const auto contact = static_cast<Number>(options.contact_tolerance);
-        const bool is_clear = length > std::max(contact, Tolerance<Number>::hardly_close * size_);
+        const bool is_clear = length > Tolerance<Number>::hardly_close * size_;
         if (!is_clear || !reaches_closest(*this, closest_, size_)) return false;
-        const Number below = reach() / length;
-        if (options.verdict_only && below - Tolerance<Number>::support_noise * size_ > contact) return true;
+        if (length <= static_cast<Number>(options.contact_tolerance)) return true;
+        const Number below = reach(closest_.point) / length;
         const Number open = static_cast<Number>(options.gap_tolerance) * length;
         return length - below <= std::max(Tolerance<Number>::open_gap * size_, open);
+    }
+
+    /// The closest point of the line or plane of the points, times a positive number: it takes no division.
+    [[nodiscard]] Vec3<Number> direction() const {
+        assert(count > 0);
+        if (count == 1) return difference_[0];
+        const Vec3<Number> edge = difference_[1] - difference_[0];
+        if (count == 2) return squared_norm(edge) * difference_[0] - dot(difference_[0], edge) * edge;
+        const Vec3<Number> normal = cross(edge, Vec3<Number>(difference_[2] - difference_[0]));
+        return dot(normal, difference_[0]) < 0 ? Vec3<Number>(-normal) : normal;
+    }
+
+    /// Returns true if the bodies are farther from each other than `cutoff` along v, towards A.
+    [[nodiscard]] bool is_beyond(Number cutoff, const Vec3<Number>& v) const {
+        return reach(v) > (cutoff + Tolerance<Number>::support_noise * size_) * norm(v);
+    }
+
+    /// The answer for bodies that v separates: its distance, of two of their points, is an upper bound.
+    [[nodiscard]] Distance answer_beyond(const Vec3<Number>& v) const {
+        Distance answer = between(on_a_[0], on_b_[0]);
+        answer.normal = cast<double>(Vec3<Number>(v * (-1 / norm(v))));
+        return answer;
     }
 
   private:
@@ -110,9 +133,8 @@ class KeptSimplex {
         return p >= 0 && q >= 0 && p + q <= 1 && !sides.is_thin();
     }
 
-    /// The least <v, w> of all points w of the difference, v the closest point.
-    [[nodiscard]] Number reach() const {
-        const Vec3<Number>& v = closest_.point;
+    /// The least <v, w> of all points w of the difference.
+    [[nodiscard]] Number reach(const Vec3<Number>& v) const {
         const Number of_a = greatest_height(a_, Vec3<Number>(-v), first_.a);
         const Number of_b = greatest_height(b_, a_from_b_.direction_back(v), first_.b);
         return -(of_a + of_b) - dot(v, a_from_b_.translation);
@@ -131,7 +153,7 @@ class KeptSimplex {
     const TableB& b_;
     Pose a_from_b_;
     VertexPair<TableA, TableB> first_;
-    SimplexPoints<Number> on_a_, on_b_, difference_;
+    SmallArray<Vec3<Number>, 3> on_a_, on_b_, difference_;
     ClosestOfSimplex<Number> closest_;
     Number size_ = 0;
 };

@@ -144,7 +144,7 @@ struct NearCache {
 template <class Algorithm, SupportTable TableA, SupportTable TableB, class Pair, class Observer = NoObserver>
 Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_from_b, const Radii& radii,
                   NearCache<Pair>& cache, const QueryOptions& options = {}, Observer&& observer = {}) {
-    assert(options.contact_tolerance == 0 && !options.verdict_only);
+    assert(options.contact_tolerance == 0 && std::isinf(options.cutoff));
     const Distance answer = Algorithm::query(a, b, a_from_b, cache.pair, options, observer);
     if (answer.status == Status::failed) [[unlikely]]
         return answer;

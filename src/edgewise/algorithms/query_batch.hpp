@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -73,7 +74,12 @@ class GjkBatch final : public SearchSource {
     GjkBatch(std::span<const Query> queries, std::span<Distance> answers, const QueryOptions& options)
         : queries_(queries), answers_(answers), options_(options) {
         assert(queries.size() == answers.size());
-        assert(options.sub_distance == SubDistanceSolver::cofactors && "lanes know no other");
+        assert(fit_lanes(options));
+    }
+
+    /// Lanes know no other solver, and no cutoff: single queries first look along the line of the origins.
+    [[nodiscard]] static bool fit_lanes(const QueryOptions& options) {
+        return options.sub_distance == SubDistanceSolver::cofactors && std::isinf(options.cutoff);
     }
 
     /// `width`: a width other than none.
@@ -89,7 +95,8 @@ class GjkBatch final : public SearchSource {
                 continue;
             }
             in_lane_[lane] = {next_, cast<Scalar>(query.a_from_b)};
-            write_search(*query.a, *query.b, in_lane_[lane].a_from_b, options_.verdict_only, search);
+            write_search(*query.a, *query.b, in_lane_[lane].a_from_b, static_cast<Scalar>(options_.cutoff),
+                         search);
             ++next_;
             return true;
         }
@@ -137,9 +144,9 @@ void query_batch(PairQueries<TableA, TableB, Algorithm> queries, std::span<Dista
                  const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
     assert(queries.size() == answers.size());
     if constexpr (std::is_same_v<Algorithm, Gjk> && NumberedTable<TableA> && NumberedTable<TableB>) {
-        const bool by_cofactors = options.sub_distance == SubDistanceSolver::cofactors;
-        if (by_cofactors && width != LaneWidth::none)
-            return GjkBatch<TableA, TableB>(queries, answers, options).run(width);
+        using Batch = GjkBatch<TableA, TableB>;
+        if (width != LaneWidth::none && Batch::fit_lanes(options))
+            return Batch(queries, answers, options).run(width);
     }
     ask_in_order(queries, answers, options);
 }

@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -44,16 +45,20 @@ struct QueryOptions {
     /// GJK ends when the squared distance is known to this relative width: the duality gap |v|^2 - <v, w>
     /// over |v|^2. The distance is then too large by at most this part of itself. V-Clip ignores it.
     double gap_tolerance = 0;
-    /// If true, only the verdict matters: GJK ends as soon as a direction separates the bodies, by more than
-    /// the contact tolerance, and the distance of separated bodies is then an upper bound. V-Clip knows its
-    /// verdict no sooner than its distance.
-    bool verdict_only = false;
+    /// Distances beyond this, and beyond the contact tolerance, do not matter, in the bodies' own unit: GJK
+    /// ends as soon as a direction shows that the bodies are farther from each other, and the distance is
+    /// then an upper bound. 0: only the verdict matters. V-Clip knows nothing sooner than the distance, and
+    /// ignores it.
+    double cutoff = std::numeric_limits<double>::infinity();
     /// V-Clip only: if true, GJK answers after a cycle, and where rounding may have chosen the answer. If
     /// false, V-Clip is raw, as published: its last result is the answer, right or wrong. Its loops are not
     /// inlined then: raw V-Clip is there to be checked, not timed.
     bool hardened = true;
     /// GJK's solver; V-Clip has none, and where it asks GJK, GJK solves by the default.
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
+
+    /// Returns true if no distance matters: only whether the bodies are separated.
+    [[nodiscard]] bool is_for_verdict() const { return cutoff <= contact_tolerance; }
 };
 
 /// Applies the options to an answer. A distance within the tolerance stays as found: for GJK, which stops as

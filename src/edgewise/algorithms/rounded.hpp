@@ -52,7 +52,9 @@ template <class Algorithm, SupportTable TableA, SupportTable TableB>
                                      typename Algorithm::template Pair<TableA, TableB>& pair,
                                      const QueryOptions& options = {}) {
     QueryOptions of_cores = options;
-    of_cores.contact_tolerance = options.verdict_only ? options.contact_tolerance + a.radius + b.radius : 0;
+    const double radii = a.radius + b.radius;
+    of_cores.contact_tolerance = options.is_for_verdict() ? options.contact_tolerance + radii : 0;
+    of_cores.cutoff = options.cutoff + radii;
     const Distance cores = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores);
     return rounded(cores, a.radius, b.radius, options.contact_tolerance);
 }

@@ -15,7 +15,6 @@
 // departures.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -148,7 +147,7 @@ template <class TableA, class TableB, class Observer>
         return result;
     };
     for (;; ++steps) {
-        if constexpr (have_seeds<TableA, TableB>) {
+        if constexpr (may_start_nearer<TableA, TableB>) {
             if (steps == far_off && start_nearer(a, b)) guard = CycleGuard(a.feature, b.feature);
         }
         observer.visit(a.feature.kind(), b.feature.kind());

@@ -61,6 +61,7 @@ class LengthScale {
     }
     [[nodiscard]] QueryOptions into(QueryOptions options) const {
         options.contact_tolerance *= factor_;
+        options.cutoff *= factor_;
         return options;
     }
     [[nodiscard]] Distance back(Distance answer) const {

@@ -2,8 +2,8 @@
 //
 // A query with one question: are the bodies nearer to each other than a margin, and if so, how near? A pair
 // of a warm scene answers by its bounds where these decide; else the tables compute the whole distance, which
-// renews the bounds. A cold query has no past: the tables compute the verdict, and the distance if it is
-// asked.
+// renews the bounds. A cold query has no past: the tables compute the distance up to the margin, or the
+// verdict if no distance is asked.
 #pragma once
 
 #include <optional>
@@ -39,16 +39,15 @@ template <class Algorithm, class Table, class Pair, class Observer = NoObserver>
                                        const scene::Query& query, const QueryOptions& options,
                                        Observer&& observer = {}) {
     const double margin = margins.margin(query);
-    QueryOptions verdict = options;
-    verdict.contact_tolerance = margin;
-    verdict.verdict_only = true;
+    QueryOptions cold = options;
+    cold.cutoff = margin;
+    if (!margins.asks_distance()) cold.contact_tolerance = margin;
     const Distance answer =
         warm ? ask_near<Algorithm>(a, b, a_from_b, margins.radii(query), cache, options, observer)
-             : Algorithm::query(a, b, a_from_b, cache.pair, verdict, observer);
+             : Algorithm::query(a, b, a_from_b, cache.pair, cold, observer);
     if (answer.status == Status::failed) return {};
-    const bool nearer = warm ? answer.distance < margin : answer.status != Status::separated;
-    if (!nearer || !margins.asks_distance()) return near_answer(nearer, margin, answer);
-    return warm ? answer : Algorithm::query(a, b, a_from_b, cache.pair, options, observer);
+    const bool nearer = answer.distance < margin;
+    return nearer && margins.asks_distance() ? answer : near_answer(nearer, margin, answer);
 }
 
 /// A pass over queries of a workload, as Runner::RangePass. Tables: gives a query's two tables.

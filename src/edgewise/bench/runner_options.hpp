@@ -42,7 +42,7 @@ struct RunnerOptions {
     /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {
         needs = wanted;
-        query.verdict_only = wanted == Needs::verdict;
+        query.cutoff = wanted == Needs::verdict ? 0 : QueryOptions{}.cutoff;
     }
 };
 

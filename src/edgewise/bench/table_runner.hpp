@@ -4,9 +4,7 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "edgewise/bench/runner.hpp"

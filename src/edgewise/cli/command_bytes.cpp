@@ -6,12 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "edgewise/bench/probe.hpp"
 #include "edgewise/cli/options.hpp"
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/studies/table_memory_cost.hpp"

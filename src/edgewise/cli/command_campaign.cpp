@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"

@@ -4,8 +4,6 @@
 // and what became of it when a table was built so.
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/input/output_file.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise record`: runs a model in MuJoCo or Bullet and writes a recording of its motion, for
-// `edgewise sweep --scenes`. The engines are in programs of their own next to this one, which a build has if
-// the engine's package is installed (examples/record_bullet.cpp, examples/record_mujoco.cpp).
+// `edgewise record`: runs a model in MuJoCo or Bullet, or moves the joints of a robot, and writes a recording
+// of its motion, for `edgewise sweep --scenes`. Each library is in a program of its own next to this one (an
+// example), which a build has if the library is installed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,16 +41,18 @@ Engine engine_of(std::string model) {
     if (model.starts_with(of_mujoco)) model.erase(0, of_mujoco.size());
     if (model.ends_with(".xml") || model.ends_with(".urdf"))
         return {"record_mujoco", "libmujoco-dev libmujoco-samples", model};
+    if (model.ends_with(".sdf") || model.ends_with(".world"))
+        return {"record_sdformat", "libsdformat-dev", model};
     throw std::invalid_argument(unknown_name("model", model, bullet) +
-                                ", or a model of MuJoCo: the path of a file that ends in .xml or .urdf");
+                                ", or the path of a file that ends in .xml (MJCF), .urdf, .sdf or .world");
 }
 
-/// A URDF has no actuators: its joints move as asked.
+/// MJCF alone has actuators: the joints of others move as asked.
 std::string joint_speed(const RecordArguments& options, const Engine& engine) {
     const bool is_bullet = engine.program == std::string_view("record_bullet");
     if (is_bullet && options.joints)
-        throw std::invalid_argument(options.model + ": --joints is for models of MuJoCo, which have joints");
-    return fmt::format("{}", options.joints.value_or(engine.model.ends_with(".urdf") ? 1 : 0));
+        throw std::invalid_argument(options.model + ": --joints is for robots, which have joints");
+    return fmt::format("{}", options.joints.value_or(is_bullet || engine.model.ends_with(".xml") ? 0 : 1));
 }
 
 /// Messages of an engine, without the line end behind them and those within.
@@ -92,12 +94,13 @@ int run_record(const RecordArguments& options, bool json) {
 
 void add_record(CLI::App& app, Context& context) {
     auto [command, options] = add_command(
-        app, context, "record", "Records the motion of a model in MuJoCo or Bullet, to be swept", run_record);
+        app, context, "record",
+        "Records the motion of a model in MuJoCo or Bullet, or of a robot's joints, to be swept", run_record);
     command
         ->add_option(
             "model", options.model,
-            "bullet-stack, bullet-wall, bullet-heap, bullet-heap0 (hulls without margin), or a model of "
-            "MuJoCo: an MJCF or URDF file (.xml, .urdf), or the name of a sample")
+            "bullet-stack, bullet-wall, bullet-heap, bullet-heap0 (hulls without margin), a file in MJCF, URDF "
+            "or SDF (.xml, .urdf, .sdf, .world), or the name of a sample of MuJoCo")
         ->required();
     add_output_file(*command, "--out", options.out,
                     "file to write: the recording, ending in .jsonl or .jsonl.gz")
@@ -107,7 +110,7 @@ void add_record(CLI::App& app, Context& context) {
                "steps recorded per second; 0: every step of the engine");
     add_number(*command, "--joints", options.joints, {0, 1000, "rad/s"},
                "joints move at this speed between random places within their limits, without dynamics; 0: "
-               "dynamics with random controls (standard: 1 for a URDF, else 0)");
+               "dynamics with random controls of MJCF, no motion in SDF (standard: 0 for MJCF, else 1)");
 }
 
 }  // namespace edgewise::cli

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <memory>
 
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"

@@ -13,7 +13,6 @@
 #include "edgewise/geometry/hull.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "edgewise/geometry/check_polyhedron.hpp"

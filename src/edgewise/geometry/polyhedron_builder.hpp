@@ -5,7 +5,6 @@
 // bits.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

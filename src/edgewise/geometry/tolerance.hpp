@@ -73,6 +73,11 @@ struct Tolerance {
     /// this, cannot be improved, and its direction separates nothing.
     static constexpr Scalar contact_noise = 16 * eps;
 
+    /// V-Clip, relative to the size: features that meet to within this are in contact. In double half of the
+    /// verdict band (verdict_band_steps): rounding of the computed distance has the other half. In single
+    /// nothing: such answers are computed again in doubles, which takes little time.
+    static constexpr Scalar meeting = eps < Scalar(1e-10) ? 8 * eps : 0;
+
     /// Normal of a face, squared sine of the angle at a corner: above it the plain cross product loses at
     /// most four binary digits; thinner corners take an exact one, or one in wider arithmetic.
     static constexpr Scalar fair_corner = Scalar(1) / 256;

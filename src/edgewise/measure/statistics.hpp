@@ -11,7 +11,6 @@
 // 93 % at 11, 91 % at 13, 95 % at 17, 92 to 96 % from 25 on. Take 9, 17 or at least 25 rounds.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -6,8 +6,6 @@
 #pragma once
 
 #include <array>
-#include <cassert>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>

@@ -121,11 +121,11 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
             if (answer.status > Status::touching) result.back().verdict_wrong = true;  // it says neither
             continue;
         }
-        const truth::Claim claim = scene::claim_of(answer, options.verdict_only);
+        const truth::Claim claim = scene::claim_of(answer, options.is_for_verdict());
         truth::CheckedAnswer& checked =
             result.emplace_back(truth::check(claim, bodies, known, band, allowed, leeway));
         const auto& given = known_given[k].exact(scene::placed(shared.workload().bodies, query));
-        if (!options.verdict_only)
+        if (!options.is_for_verdict())
             checked.error_given = truth::distance_error(claim, given, leeway.contact_tolerance);
         if (k < control.size() && control[k]) checked.control_disagrees = *control[k] == claim.separated;
     }
@@ -197,7 +197,7 @@ void PreparedCell::check(SharedQueries& shared) {
     }
     const auto stored = runner_->stored_bodies();
     QueryOptions asked = options_.query;
-    asked.verdict_only = asked.verdict_only || type_->verdict_only;
+    if (type_->verdict_only) asked.cutoff = 0;
     MarginOf margin;
     if (has_margin(options_.needs))
         margin = [&](const scene::Query& query) { return runner_->margin(query); };

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <string_view>
 #include <tuple>
 
 #include "edgewise/bench/cell.hpp"

@@ -5,8 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
-#include <vector>
 
 #include "edgewise/table/contract.hpp"
 

@@ -122,6 +122,33 @@ TEST(KeptSimplex, ProvesNothingThatIsNotSo) {
     EXPECT_LE(worst, 8 * Tolerance<double>::eps);
 }
 
+/// Cutoffs about the exact distance, along the direction of any points, good or bad.
+TEST(KeptSimplex, IsBeyondNothingThatIsNearer) {
+    scene::Rng rng(13);
+    int nearer = 0, undecided = 0, beyond = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Case at(rng);
+        for (int turn = 0; turn < 10; ++turn) {
+            KeptSimplex<Table, Table, double> kept(at.a, at.b, at.pose);
+            for (const auto& [a, b] : corners_nearby(at, rng)) kept.push(a, b);
+            const double cutoff = at.exact * rng.uniform(0, 1.2);
+            const Vec3d direction = kept.direction();
+            if (!kept.is_beyond(cutoff, direction)) {
+                ++(cutoff > at.exact ? nearer : undecided);
+                continue;
+            }
+            ++beyond;
+            EXPECT_LT(cutoff, at.exact);
+            const Distance answer = kept.answer_beyond(direction);
+            EXPECT_GE(answer.distance, at.exact * (1 - 1e-12)) << "an upper bound";
+            const double reach = dot(answer.normal, direction) / norm(direction);
+            EXPECT_NEAR(reach, -1, 1e-15) << "the normal is outward for A";
+        }
+    }
+    std::printf("%d nearer than the cutoff, %d not decided, %d beyond it\n", nearer, undecided, beyond);
+    for (const int visited : {nearer, undecided, beyond}) EXPECT_GT(visited, 1000);
+}
+
 /// Three points of a difference: those of a body and the origin.
 struct Triangle {
     int count = 3;

@@ -11,6 +11,7 @@
 
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/vec.hpp"
+#include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
@@ -63,6 +64,35 @@ TEST(NearlyParallelEdges, AreAsFarFromEachOtherAsExactArithmeticSays) {
         EXPECT_LT(sums.worst, 1e-14);
         EXPECT_LT(sums.asked_gjk, sums.queries / 4) << "V-Clip is what is tested";
     }
+}
+
+/// Boxes face to face, a few rounding steps of the precision apart.
+template <class Table>
+int farthest_contact(double step, int& separated) {
+    const Table table(*scene::make_shape("cube8"), Parts::features);
+    const double side = 2 * max_abs(cast<double>(table.vertex(table.first_vertex())));
+    int farthest = 0;
+    for (int steps = 0; steps <= 64; ++steps) {
+        const Vec3d apart(side + steps * step * side, 0, 0);
+        FeaturePair<Table, Table> pair(table, table);
+        const Distance answer = VClip::query(table, table, {Mat3d::Identity(), apart}, pair);
+        if (answer.status == Status::touching) farthest = steps;
+        if (answer.status != Status::separated) continue;
+        ++separated;
+        EXPECT_NEAR(answer.distance, steps * step * side, 2 * step * side) << steps;
+    }
+    return farthest;
+}
+
+/// A contact tolerance as wide as the band (16 steps) would leave no room for rounding.
+TEST(VClipNearContact, IsContactWithinHalfTheBand) {
+    int separated = 0, separated_in_single = 0;
+    const int farthest = farthest_contact<aos<f64>>(0x1p-51, separated),
+              in_single = farthest_contact<aos<f32>>(0x1p-22, separated_in_single);
+    std::printf("contact up to %d steps in double, %d in single\n", farthest, in_single);
+    EXPECT_LE(farthest, 8);
+    EXPECT_LE(in_single, 1);
+    EXPECT_GT(std::min(separated, separated_in_single), 50);
 }
 
 }  // namespace

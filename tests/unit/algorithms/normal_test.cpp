@@ -112,7 +112,7 @@ TEST_P(Normal, OfAVerdictSeparates) {
     for (int i = 0; i < 1000; ++i) {
         const Pose pose{rng.rotation(), rng.uniform(0.5, 2.5) * rng.on_sphere()};
         const Distance whole = ask<Gjk>(table, table, pose);
-        const Distance answer = ask<Gjk>(table, table, pose, {.verdict_only = true});
+        const Distance answer = ask<Gjk>(table, table, pose, {.cutoff = 0});
         EXPECT_EQ(answer.status == Status::separated, whole.status == Status::separated);
         steps += answer.steps;
         whole_steps += whole.steps;
@@ -138,8 +138,7 @@ TEST_P(Normal, OfAVerdictClearsTheTolerance) {
     for (int i = 0; i < 1000; ++i) {
         const Pose pose{rng.rotation(), rng.uniform(1.5, 3) * rng.on_sphere()};
         const Distance whole = ask<Gjk>(table, table, pose, {.contact_tolerance = 0.4});
-        const Distance answer =
-            ask<Gjk>(table, table, pose, {.contact_tolerance = 0.4, .verdict_only = true});
+        const Distance answer = ask<Gjk>(table, table, pose, {.contact_tolerance = 0.4, .cutoff = 0});
         EXPECT_EQ(answer.status == Status::separated, whole.status == Status::separated) << whole.distance;
         within += whole.status != Status::separated && whole.distance > 0;
         separated += whole.status == Status::separated;
@@ -160,7 +159,7 @@ TEST(NormalInTheWorld, TurnsWithBodyA) {
     EXPECT_EQ(to_world(answer, pose).normal, Vec3d(0, 1, 0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Normal, ::testing::Values("tetra4", "cube8", "sphere38"),
+INSTANTIATE_TEST_SUITE_P(Shapes, Normal, ::testing::Values("tetra4", "cube8", "sphere38", "sphere386"),
                          [](const auto& shape) { return std::string(shape.param); });
 
 }  // namespace

@@ -58,8 +58,7 @@ void check_answer(const RoundedPair& asked, MetRoundedPairs& seen) {
     if (std::abs(gap) < 1e-13) return;
     ASSERT_EQ(answer.status == Status::separated, gap > 0) << gap;
     auto cold = typename Algorithm::template Pair<Core, Core>(asked.rounded_a.core, asked.rounded_b.core);
-    EXPECT_EQ(query_rounded<Algorithm>(asked.rounded_a, asked.rounded_b, asked.a_from_b, cold,
-                                       {.verdict_only = true})
+    EXPECT_EQ(query_rounded<Algorithm>(asked.rounded_a, asked.rounded_b, asked.a_from_b, cold, {.cutoff = 0})
                       .status == Status::separated,
               gap > 0);
     if (gap <= 0) return;

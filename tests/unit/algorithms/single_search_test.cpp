@@ -22,7 +22,7 @@ using SearchedTable = points_soa<f64>;
 
 SingleSearchEnd search(const SearchedTable& a, const SearchedTable& b, const Transform<double>& a_from_b) {
     SingleSearch to;
-    write_search(a, b, a_from_b, false, to);
+    write_search(a, b, a_from_b, std::numeric_limits<double>::infinity(), to);
     return run_single_search(to);
 }
 

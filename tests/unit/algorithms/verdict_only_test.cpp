@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A verdict alone is the verdict of the whole answer, whatever the scene, and GJK takes fewer steps to it.
+// A verdict alone is the verdict of the whole answer, whatever the scene, and so is the side of a cutoff; GJK
+// takes fewer steps to either. Distances up to the cutoff are those of the whole answer.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <vector>
 
+#include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/layouts/aos.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise {
@@ -63,6 +69,41 @@ TEST(VerdictOnly, IsBeyondTheContactTolerance) {
         std::printf("tolerance %g: %zu within\n", tolerance, steps.within);
         EXPECT_GT(steps.within, 0U) << tolerance;
         EXPECT_LT(steps.verdict, steps.whole) << tolerance;
+    }
+}
+
+/// The queries of a scene, each pair with its cache.
+std::vector<Distance> ask_all(const scene::Workload& workload, const QueryOptions& options) {
+    using Table = aos<f64>;
+    const Table table(workload.bodies[0], Parts::support);
+    std::vector<SimplexPair<Table, Table>> pairs(workload.pair_count, {table, table});
+    std::vector<Distance> answers;
+    for (const scene::Query& query : workload.queries)
+        answers.push_back(
+            Gjk::query(table, table, relative_pose(query.pose_a, query.pose_b), pairs[query.pair], options));
+    return answers;
+}
+
+TEST(Cutoff, EndsBeyondItAndNowhereElse) {
+    for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
+        const studies::SingleCell cell({"aos_f64", "gjk", "tumble", shape, {}, queries, 1});
+        const auto whole = ask_all(cell.workload(), {}), answers = ask_all(cell.workload(), {.cutoff = 0.5});
+        int beyond = 0, within = 0, steps = 0, whole_steps = 0;
+        double worst = 0;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            const bool is_beyond = whole[i].distance > 0.5;
+            ++(is_beyond ? beyond : within);
+            ASSERT_EQ(answers[i].distance > 0.5, is_beyond) << i;
+            ASSERT_EQ(answers[i].status, whole[i].status) << i;
+            steps += answers[i].steps;
+            whole_steps += whole[i].steps;
+            if (!is_beyond) worst = std::max(worst, std::abs(answers[i].distance - whole[i].distance));
+        }
+        std::printf("%s: %d beyond, %d within, off by %.2g; %d steps for %d\n", shape, beyond, within, worst,
+                    steps, whole_steps);
+        EXPECT_GT(std::min(beyond, within), 500);
+        EXPECT_LT(worst, 1e-14);
+        EXPECT_LT(steps, whole_steps);
     }
 }
 

@@ -65,11 +65,11 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
     EXPECT_EQ(parse_axes("needs=witnesses").text(), "");
     EXPECT_EQ(parse_axes("sub_distance=cofactors").text(), "");
     EXPECT_EQ(parse_axes("sub_distance=johnson").query.sub_distance, SubDistanceSolver::johnson);
-    EXPECT_TRUE(parse_axes("needs=verdict").query.verdict_only);
-    EXPECT_FALSE(parse_axes("needs=depth").query.verdict_only);
+    EXPECT_EQ(parse_axes("needs=verdict").query.cutoff, 0);
+    EXPECT_FALSE(parse_axes("needs=depth").query.is_for_verdict());
     EXPECT_EQ(parse_axes("needs=nearer").text(), "needs=nearer+margin=0.1") << "a condition of its figures";
     EXPECT_EQ(parse_axes("margin=2+needs=nearer").margin, 2);
-    EXPECT_FALSE(parse_axes("needs=nearer").query.verdict_only) << "bounds come from whole distances";
+    EXPECT_FALSE(parse_axes("needs=nearer").query.is_for_verdict()) << "bounds come from whole distances";
 }
 
 TEST(Axes, ConcernOnlyWhatTheyChange) {

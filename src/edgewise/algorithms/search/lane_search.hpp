@@ -5,9 +5,7 @@
 // Every result is that of a single search.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "edgewise/algorithms/search/lane_vector.hpp"
@@ -139,8 +137,7 @@ class LaneSearch {
         const Number squared = squared_norm(v_), reach = dot(v_, p) * scale_,
                      open = search_gap * extent_ * scale_ * square_root<float, n>(squared),
                      length = squared / (scale_ * scale_);
-        Mask ended = (squared - reach <= open) | (verdict_only_ & (reach > clear_gaps * open)) |
-                     ~(length < least_) | (steps_ > most_search_steps);
+        Mask ended = (squared - reach <= open) | ~(length < least_) | (steps_ > most_search_steps);
 #pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) ended |= held_.of[i] & (pairs_[i] == pair);
         least_ = starts_ ? least_ : length;
@@ -225,7 +222,6 @@ class LaneSearch {
             q_[i].set(lane, 0, 0, 0);
             held_.of[i][lane] = 0;
         }
-        verdict_only_[lane] = search_.verdict_only ? -1 : 0;
         least_[lane] = std::numeric_limits<float>::infinity();
         steps_[lane] = 1;
         starts_[lane] = -1;
@@ -240,7 +236,7 @@ class LaneSearch {
     Three<Mask> held_{};
     Vector v_{};  ///< the simplex' closest point, times scale
     Number scale_{}, least_{}, extent_{};
-    Mask steps_{}, verdict_only_{};
+    Mask steps_{};
     Mask starts_{};     ///< without a point so far
     Mask is_active_{};  ///< holds a search
 };

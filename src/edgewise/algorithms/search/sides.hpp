@@ -10,8 +10,6 @@
 // (Three: a query in each lane). Both are the same formulas in the same order: the same bits.
 #pragma once
 
-#include <cstdint>
-
 #include "edgewise/algorithms/search/lane_vector.hpp"
 
 namespace edgewise {

@@ -148,9 +148,9 @@ template <int size>
             continue;
         }
         const float squared = sum_of_three(v * v), reach = sum_of_three(v * p) * simplex.scale,
-                    open = search_gap * extent * simplex.scale * std::sqrt(squared),
+                    root = simplex.scale * std::sqrt(squared), open = search_gap * extent * root,
                     length = squared / (simplex.scale * simplex.scale);
-        const bool is_decided = squared - reach <= open || (of.verdict_only && reach > clear_gaps * open);
+        const bool is_decided = squared - reach <= open || reach > clear_gaps * open + of.cutoff * root;
         if (is_decided || bits_of(simplex.held & (simplex.pairs == pair)) != 0 || !(length < least)) break;
         least = length;
         if (simplex.add(p, pair, corner)) continue;

@@ -42,7 +42,7 @@ struct SingleSearch {
     Mat3<float> rotation;     ///< takes directions of B's frame to A's
     Vec3<float> translation;  ///< the first vertex of B less that of A, in A's frame
     Vec3<float> towards_b;    ///< the search starts with the vertices farthest along it and against it
-    bool verdict_only;        ///< ends as soon as a direction separates the bodies
+    float cutoff;             ///< ends as soon as a direction shows that they are farther apart
 };
 
 /// Where a search ended: the first `count` of four pairs of vertices, by number. Four of them surround the
@@ -116,7 +116,7 @@ void write_singles(const Table& table, ComputeOf<Table> scale, SingleVertices& t
 /// Writes two bodies with at most SingleVertices::most vertices each.
 template <NumberedTable TableA, NumberedTable TableB>
 void write_search(const TableA& a, const TableB& b, const Transform<ComputeOf<TableA>>& a_from_b,
-                  bool verdict_only, SingleSearch& to) {
+                  ComputeOf<TableA> cutoff, SingleSearch& to) {
     using Scalar = ComputeOf<TableA>;
     const Vec3<Scalar> first_a = a.vertex(typename TableA::Vertex{0}),
                        last_a = a.vertex(static_cast<typename TableA::Vertex>(a.vertex_count() - 1)),
@@ -128,7 +128,7 @@ void write_search(const TableA& a, const TableB& b, const Transform<ComputeOf<Ta
     to.rotation = a_from_b.rotation.template cast<float>();
     to.translation = cast<float>(Vec3<Scalar>(between * scale));
     to.towards_b = cast<float>(Vec3<Scalar>(a_from_b.translation * scale));
-    to.verdict_only = verdict_only;
+    to.cutoff = static_cast<float>(cutoff * scale);
 }
 
 }  // namespace edgewise

@@ -66,10 +66,6 @@ template <class Table>
     return relative * static_cast<Scalar>(table.reach());
 }
 
-/// Relative to the coordinates: distances between points of the bodies up to this may be rounding alone.
-template <class Table>
-inline constexpr double contact_noise{Tolerance<ComputeOf<Table>>::contact_noise};
-
 /// True if planes are stored rounder than the arithmetic: a point on one side may lie on the other.
 template <class Table>
 inline constexpr bool rounded_planes = !std::is_same_v<PlaneScalar<Table>, ComputeOf<Table>>;

@@ -6,6 +6,8 @@
 // (layout_parts/seeds.hpp) in a few steps. Departure: the report starts anywhere.
 #pragma once
 
+#include <cstddef>
+
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
 
@@ -30,6 +32,12 @@ template <class Table>
 /// / 1.03 at 386 vertices; with 8 0.92 / 1.17 / 1.14. Without seeds a climb from far off costs too much of
 /// the gain: aos_f64 at 0.1 rad took 1.14.
 inline constexpr int steps_before_seeds = 5;
+
+/// That step for bodies that are scanned, if both have more vertices than most_walked. Time of aos_f64 over
+/// never, a Xeon with AVX-512, 0.1 / 1 rad per step / in any pose: at 38 vertices 1.05 / 0.79 / 0.57, a step
+/// before 1.35 / 0.74 / 0.51; at 8 vertices 1.02 / 1.19 / 0.88.
+inline constexpr int steps_before_scans = 3;
+inline constexpr std::size_t most_walked = 16;
 
 template <class TableA, class TableB>
 inline constexpr bool have_seeds = SeededTable<TableA>&& SeededTable<TableB>;
@@ -75,7 +83,14 @@ template <class TableA, class TableB>
             return 0;
         }
     }
-    return have_seeds<TableA, TableB> ? 1 + steps_before_seeds : 0;
+    if constexpr (have_seeds<TableA, TableB>) return 1 + steps_before_seeds;
+    if constexpr (CountedTable<TableA> && CountedTable<TableB>) {
+        const auto is_scanned = [](const auto& table) {
+            return table.vertex_count() > most_walked && table.vertex_count() <= most_scanned;
+        };
+        if (is_scanned(a.table) && is_scanned(b.table)) return 1 + steps_before_scans;
+    }
+    return 0;
 }
 
 }  // namespace edgewise::vclip

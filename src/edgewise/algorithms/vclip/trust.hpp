@@ -70,7 +70,7 @@ template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Trust trust_close(Distance& result, double size, const Body<TableA>& a,
                                                   const Body<TableB>& b) {
     constexpr bool rounded = rounded_planes<TableA> || rounded_planes<TableB>;
-    if (!rounded && result.distance <= contact_noise<TableA> * size) {
+    if (!rounded && result.distance <= double{Tolerance<ComputeOf<TableA>>::meeting} * size) {
         result.status = Status::touching;
         result.distance = 0;
         result.normal = Vec3d::Zero();

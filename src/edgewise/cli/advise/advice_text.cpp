@@ -9,7 +9,6 @@
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/answer/decision.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/scene/scenes.hpp"
 #include "edgewise/studies/advise/screen.hpp"
 
 namespace edgewise::cli {

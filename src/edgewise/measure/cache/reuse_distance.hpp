@@ -10,7 +10,6 @@
 // (Fenwick, 1994) sums words. When the time line is full, bits move together and time goes on behind them.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

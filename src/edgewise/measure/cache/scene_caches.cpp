@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::uint32_t line_unit = 64, page_unit = 4096;
 
-/// Calls `use` with each piece of an access, in units of this number of bytes.
-template <class Use>
-void each_unit(const TracedAccess& access, std::uint32_t unit, Use use) {
-    const std::uint64_t end = access.address + access.bytes;
-    for (std::uint64_t at = access.address; at < end;) {
-        const std::uint64_t number = at / unit, stop = std::min(end, (number + 1) * unit);
-        use(number, at, static_cast<std::uint32_t>(stop - at));
-        at = stop;
-    }
-}
-
 }  // namespace
 
 /// Reuse distances of one unit, and what queries and frames touch.
@@ -204,17 +193,17 @@ SceneCaches::~SceneCaches() = default;
 
 void SceneCaches::on_access(const TracedAccess& access) {
     for (auto& [unit, stack] : stacks_) {
-        each_unit(
-            access, unit,
-            [&, size = unit, &used = stack](std::uint64_t number, std::uint64_t at, std::uint32_t bytes) {
-                const std::uint64_t distance = used.use(number, access.side, start_, framed_);
-                for (Machine& machine : machines_) {
-                    if (machine.caches.unit() == size)
-                        machine.caches.access(at, bytes, access, start_, distance);
-                    if (machine.tlbs && machine.tlbs->unit() == size)
-                        machine.tlbs->access(at, bytes, access, start_, distance);
-                }
-            });
+        access.for_each_unit(unit, [&, size = unit, &used = stack](std::uint64_t number) {
+            const std::uint64_t distance = used.use(number, access.side, start_, framed_);
+            const std::uint64_t at = std::max(access.address, number * size);
+            const auto bytes =
+                static_cast<std::uint32_t>(std::min(access.address + access.bytes, (number + 1) * size) - at);
+            for (Machine& machine : machines_) {
+                if (machine.caches.unit() == size) machine.caches.access(at, bytes, access, start_, distance);
+                if (machine.tlbs && machine.tlbs->unit() == size)
+                    machine.tlbs->access(at, bytes, access, start_, distance);
+            }
+        });
     }
 }
 

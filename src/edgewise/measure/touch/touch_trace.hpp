@@ -10,7 +10,6 @@
 #include <optional>
 #include <ranges>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "edgewise/measure/cache/trace.hpp"

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iostream>
-#include <iterator>
+#include <istream>
 #include <optional>
 #include <stdexcept>
 #include <string_view>

@@ -24,7 +24,6 @@ struct Box3d {
     static constexpr const char* precision = "f32";
     static constexpr const char* summary = "b3ShapeDistance on points, radius 0; verdicts by b3CollideHulls";
     static constexpr const char* cache = "the last simplex or separating axis; nothing beyond 256 vertices";
-    static constexpr bool verdict_only = false;
 
     struct Shape {
         explicit Shape(const Polyhedron& body) {

@@ -15,7 +15,6 @@ struct BulletEpa2 {
     static constexpr const char* precision = bullet_precision;
     static constexpr const char* summary = "btGjkEpaSolver2::Distance on btConvexHullShape, margin 0";
     static constexpr const char* cache = "the last direction";
-    static constexpr bool verdict_only = false;
 
     using Shape = BulletShape;
     using Placed = BulletPlaced;

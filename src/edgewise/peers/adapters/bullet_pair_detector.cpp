@@ -18,7 +18,6 @@ struct BulletPairDetector {
     static constexpr const char* summary =
         "btGjkPairDetector and btVoronoiSimplexSolver on btConvexHullShape, margin 0";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     using Shape = BulletShape;
     using Placed = BulletPlaced;

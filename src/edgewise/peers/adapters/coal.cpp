@@ -34,7 +34,6 @@ struct Coal {
     static constexpr const char* summary =
         "GJKSolver::shapeDistance on Convex, default tolerance; verdicts with an upper bound of 0";
     static constexpr const char* cache = "the last direction and support vertices";
-    static constexpr bool verdict_only = false;
 
     struct Shape {
         explicit Shape(const Polyhedron& body) : convex(to_coal(body)) {}

@@ -19,7 +19,6 @@ struct FclIndep {
     static constexpr const char* precision = "f64";
     static constexpr const char* summary = "GJKSolver_indep::shapeDistance on Convex";
     static constexpr const char* cache = "the solver, with its last direction";
-    static constexpr bool verdict_only = false;
 
     using Shape = FclShape;
     using Placed = FclPlaced;

@@ -18,7 +18,6 @@ struct FclLibccd {
     static constexpr const char* summary =
         "GJKSolver_libccd::shapeDistance on Convex; verdicts by shapeIntersect";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     using Shape = FclShape;
     using Placed = FclPlaced;

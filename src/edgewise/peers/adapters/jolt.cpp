@@ -23,7 +23,6 @@ struct Jolt {
     static constexpr const char* summary =
         "GJKClosestPoint::GetClosestPoints on PolygonConvexSupport, tolerance 0; verdicts by Intersects";
     static constexpr const char* cache = "the last axis";
-    static constexpr bool verdict_only = false;
 
     using Vertices = std::vector<JPH::Vec3>;
     struct Shape {

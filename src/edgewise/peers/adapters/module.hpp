@@ -7,8 +7,8 @@
 
 namespace edgewise::peers {
 
-/// Library: as for PeerBenchFor, with static members `name`, `precision`, `summary`, `cache` and
-/// `verdict_only`. Its version and the flags are CMake's to say.
+/// Library: as for PeerBenchFor, with static members `name`, `precision`, `summary` and `cache`, and
+/// `verdict_only` if it gives no distances. Its version and the flags are CMake's to say.
 template <class Library>
 inline constexpr PeerInfo info_of = {.name = Library::name,
                                      .precision = Library::precision,
@@ -16,7 +16,10 @@ inline constexpr PeerInfo info_of = {.name = Library::name,
                                      .summary = Library::summary,
                                      .cache = Library::cache,
                                      .flags = EDGEWISE_PEER_FLAGS,
-                                     .verdict_only = Library::verdict_only,
-                                     .make = make_bench<Library>};
+                                     .verdict_only = requires {Library::verdict_only;
+}  // namespace edgewise::peers
+, .make = make_bench<Library>
+}
+;
 
 }  // namespace edgewise::peers

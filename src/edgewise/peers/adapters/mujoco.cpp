@@ -53,7 +53,6 @@ struct MuJoCo {
     static constexpr const char* summary =
         "mjc_ccd on a mesh, no contacts asked for; verdicts with a cutoff of 0";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     struct Shape {
         explicit Shape(const Polyhedron& body) : graph(graph_of(body)), extremes(extremes_of(body)) {

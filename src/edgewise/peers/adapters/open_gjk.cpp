@@ -20,7 +20,6 @@ struct OpenGjk {
     static constexpr const char* summary =
         "compute_minimum_distance, with both bodies' vertices taken to the world in each query";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     using Point = std::array<gkFloat, 3>;
     struct Shape {

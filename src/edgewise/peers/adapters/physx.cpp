@@ -21,7 +21,6 @@ struct PhysX {
     static constexpr const char* summary =
         "PxGjkQuery::proximityInfo with a linear scan for support, margin 0; of bodies in contact the depth too";
     static constexpr const char* cache = "nothing";
-    static constexpr bool verdict_only = false;
 
     struct Shape final : physx::PxGjkQuery::Support {
         explicit Shape(const Polyhedron& body) {

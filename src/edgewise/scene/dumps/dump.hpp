@@ -6,7 +6,6 @@
 // surface: an answer about a polyhedron in their place would be one to another question.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

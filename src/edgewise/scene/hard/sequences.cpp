@@ -5,7 +5,6 @@
 // what other families call a sliver. Their planes are known no better than the bodies are thick, so an edge
 // that lies in a face, or two faces that cross, look separated along one plane and deep along another.
 #include <array>
-#include <cmath>
 
 #include "edgewise/scene/hard/families.hpp"
 

@@ -23,7 +23,6 @@
 // step. As they turn, gaps open and close and some pairs come to touch: about one in two of spheres does.
 // Each step asks all pairs, in the same order.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

@@ -25,7 +25,7 @@ class RunnerAsker final : public Asker {
         : runner_(type.make_runner(algorithm)) {
         bench::RunnerOptions options;
         options.query = query;
-        if (query.verdict_only) options.set_needs(Needs::verdict);
+        if (query.is_for_verdict()) options.set_needs(Needs::verdict);
         runner_->configure(options);
     }
 
@@ -65,7 +65,7 @@ std::vector<QueryKind> query_kinds(std::string_view algorithm) {
     std::vector<QueryKind> kinds(1);
     if (algorithm != "gjk") return kinds;
     kinds.push_back({" johnson", {.sub_distance = SubDistanceSolver::johnson}});
-    kinds.push_back({" verdict", {.verdict_only = true}});
+    kinds.push_back({" verdict", {.cutoff = 0}});
     return kinds;
 }
 
@@ -97,7 +97,7 @@ std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
             for (const QueryKind& kind : query_kinds(algorithm)) {
                 const QueryOptions query = kind.options;
                 cells.push_back({algorithm + " " + type->name + kind.suffix, type->eps,
-                                 allowed_errors(*type, algorithm).distance, query.verdict_only,
+                                 allowed_errors(*type, algorithm).distance, query.is_for_verdict(),
                                  [=] { return std::make_unique<RunnerAsker>(*type, algorithm, query); }});
             }
         }

@@ -9,7 +9,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/hard/families.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -93,16 +94,42 @@ void look_again(FigureRecord& now, const RecordComparison& found, const FigureRe
 
 namespace {
 
+constexpr std::size_t node_count = 2048;  // 128 KiB
+constexpr int walk_steps = 8192, products = 24'576;
+
+/// Multiplies in a chain; each product waits for the last. The factors are inverses, so no value overflows.
+double chain_of_products(double start) {
+    double value = start;
+    for (int i = 0; i < products / 2; ++i) value = value * 1.25 * 0.8;
+    return value;
+}
+
 /// Measures the speed of this machine independently of algorithms and layouts, about half of the time each: a
 /// chain of dependent multiplications, limited by the clock, and a walk along pointers through a
 /// buffer larger than a first-level and smaller than a second-level cache, limited by the caches. The walk is
 /// one circle in an order that no prefetcher knows (Sattolo, 1986).
 class GateKernel {
   public:
-    GateKernel();
+    GateKernel() : nodes_(node_count) {
+        std::vector<std::size_t> order(node_count);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        scene::Rng rng(1);
+        for (std::size_t i = node_count - 1; i > 0; --i) std::swap(order[i], order[rng.below(i)]);
+        for (std::size_t i = 0; i < node_count; ++i) nodes_[i].next = &nodes_[order[i]];
+    }
 
     /// Time of one run in ns, with the buffer in cache.
-    [[nodiscard]] double time_ns() const;
+    [[nodiscard]] double time_ns() const {
+        volatile double start = 1;
+        volatile bool sink = walk(nodes_.data(), node_count) == nullptr;
+        const measure::Stopwatch watch;
+        const double product = chain_of_products(start);
+        const Node* end = walk(nodes_.data(), walk_steps);
+        sink = end == nullptr || product < 0;
+        const double ns = watch.elapsed_ns();
+        static_cast<void>(sink);
+        return ns;
+    }
 
   private:
     /// A node fills one cache line.
@@ -110,7 +137,10 @@ class GateKernel {
         const Node* next = nullptr;
     };
 
-    [[nodiscard]] const Node* walk(const Node* from, int steps) const;
+    [[nodiscard]] static const Node* walk(const Node* from, int steps) {
+        for (int i = 0; i < steps; ++i) from = from->next;
+        return from;
+    }
 
     std::vector<Node> nodes_;
 };
@@ -122,72 +152,9 @@ struct GateScene {
     scene::SceneParameters parameters;
 };
 
-/// One scene on one body with every cell that a guard on speed times there: table types, algorithms, and GJK
-/// asked in batches where pairs are cold. The first cell is the reference.
-class GateGroup {
-  public:
-    /// Makes every cell and checks its answers; errors go to `wrong`. Throws like run_gate.
-    GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
-              std::vector<std::string>& wrong);
-
-    /// Times every cell and the kernel once, in an order drawn for this round.
-    void time_round(int number, const GateKernel& kernel, double clock_cost_ns);
-
-    /// Returns the rows over all rounds. Throws std::invalid_argument if there are too few rounds.
-    [[nodiscard]] std::vector<measure::RecordRow> rows() const;
-
-  private:
-    struct Cell {
-        std::string name;  ///< "gjk lean_f64 cold cube8 batch=yes"
-        const char* figure = over_reference;
-        sweep::PreparedCell cell;
-        std::vector<double> ns;  ///< per query, round by round
-    };
-
-    sweep::SharedQueries shared_;
-    std::vector<Cell> cells_;
-    std::vector<double> kernel_ns_;
-};
-
-constexpr std::size_t node_count = 2048;  // 128 KiB
-constexpr int walk_steps = 8192, products = 24'576;
-
-/// Multiplies in a chain; each product waits for the last. The factors are inverses, so no value overflows.
-double chain_of_products(double start) {
-    double value = start;
-    for (int i = 0; i < products / 2; ++i) value = value * 1.25 * 0.8;
-    return value;
-}
-
-GateKernel::GateKernel() : nodes_(node_count) {
-    std::vector<std::size_t> order(node_count);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    scene::Rng rng(1);
-    for (std::size_t i = node_count - 1; i > 0; --i) std::swap(order[i], order[rng.below(i)]);
-    for (std::size_t i = 0; i < node_count; ++i) nodes_[i].next = &nodes_[order[i]];
-}
-
-const GateKernel::Node* GateKernel::walk(const Node* from, int steps) const {
-    for (int i = 0; i < steps; ++i) from = from->next;
-    return from;
-}
-
-double GateKernel::time_ns() const {
-    volatile double start = 1;
-    volatile bool sink = walk(nodes_.data(), node_count) == nullptr;
-    const measure::Stopwatch watch;
-    const double product = chain_of_products(start);
-    const Node* end = walk(nodes_.data(), walk_steps);
-    sink = end == nullptr || product < 0;
-    const double ns = watch.elapsed_ns();
-    static_cast<void>(sink);
-    return ns;
-}
-
 constexpr const char* reference_table = "aos_f64";
 constexpr const char* reference_algorithm = "vclip";
 constexpr const char* batch_axis = "batch=yes";
-constexpr std::size_t gate_checked = 20;  ///< answers per cell held against exact arithmetic
 
 const bench::TableType& reference_type() {
     const auto types = bench::table_types();
@@ -223,7 +190,7 @@ std::vector<GateCellChoice> cells_of(const GatePlan& plan, const GateScene& scen
 sweep::Plan plan_for(const GatePlan& plan) {
     sweep::Plan queries;
     queries.queries = plan.queries;
-    queries.checked = gate_checked;
+    queries.checked = 20;  // answers per cell held against exact arithmetic
     return queries;
 }
 
@@ -238,56 +205,74 @@ const std::vector<GateScene>& gate_scenes() {
     return scenes;
 }
 
-const std::vector<std::string>& gate_shapes() {
-    static const std::vector<std::string> shapes = {"cube8", "sphere38", "sphere386"};
-    return shapes;
-}
+constexpr std::array gate_shapes = {"cube8", "sphere38", "sphere386"};
 
-GateGroup::GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
-                     std::vector<std::string>& wrong)
-    : shared_(plan_for(plan), {scene.kind, scene.parameters},
-              {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
-    for (const GateCellChoice& choice : cells_of(plan, scene)) {
-        if (!choice.type->stored_body(shared_.workload().bodies[0])) continue;  // not a body for this layout
-        Cell cell{choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
-                      (choice.axes.empty() ? "" : " " + choice.axes),
-                  over_reference,
-                  {*choice.type, choice.algorithm, sweep::parse_axes(choice.axes)},
-                  {}};
-        if (const std::string error = cell.cell.load(shared_.workload()); !error.empty())
-            throw std::invalid_argument(cell.name + ": " + error);
-        cell.cell.check(shared_);
-        const std::string problem = cell.cell.wrong();
-        if (!problem.empty()) wrong.push_back(cell.name + ": " + problem);
-        const bool is_reference = cells_.empty();
-        if (is_reference) cell.figure = over_kernel;
-        if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
-    }
-}
-
-void GateGroup::time_round(int number, const GateKernel& kernel, double clock_cost_ns) {
-    sweep::take_turns(cells_.size() + 1, static_cast<std::uint64_t>(number) + 1, [&](std::size_t i) {
-        if (i < cells_.size()) {
-            cells_[i].ns.push_back(cells_[i].cell.runner().time({}, clock_cost_ns).all().value_or(0));
-        } else {
-            kernel_ns_.push_back(std::min(kernel.time_ns(), kernel.time_ns()));
+/// One scene on one body with every cell that a guard on speed times there: table types, algorithms, and GJK
+/// asked in batches where pairs are cold. The first cell is the reference.
+class GateGroup {
+  public:
+    /// Makes every cell and checks its answers; errors go to `wrong`. Throws like run_gate.
+    GateGroup(const GatePlan& plan, const GateScene& scene, const std::string& shape,
+              std::vector<std::string>& wrong)
+        : shared_(plan_for(plan), {scene.kind, scene.parameters},
+                  {shape, "built-in", scene::make_shape(shape).or_throw(), {}}) {
+        for (const GateCellChoice& choice : cells_of(plan, scene)) {
+            if (!choice.type->stored_body(shared_.workload().bodies[0]))
+                continue;  // not a body for this layout
+            Cell cell{choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
+                          (choice.axes.empty() ? "" : " " + choice.axes),
+                      over_reference,
+                      {*choice.type, choice.algorithm, sweep::parse_axes(choice.axes)},
+                      {}};
+            if (const std::string error = cell.cell.load(shared_.workload()); !error.empty())
+                throw std::invalid_argument(cell.name + ": " + error);
+            cell.cell.check(shared_);
+            const std::string problem = cell.cell.wrong();
+            if (!problem.empty()) wrong.push_back(cell.name + ": " + problem);
+            const bool is_reference = cells_.empty();
+            if (is_reference) cell.figure = over_kernel;
+            if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
         }
-    });
-}
-
-std::vector<measure::RecordRow> GateGroup::rows() const {
-    std::vector<measure::RecordRow> rows;
-    for (const Cell& cell : cells_) {
-        const bool is_reference = &cell == &cells_.front();
-        const auto row =
-            gate_row(cell.name, cell.figure, cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
-        if (!row)
-            throw std::invalid_argument(
-                fmt::format("{}: no ratio with an interval; give more --queries or --rounds", cell.name));
-        rows.push_back(*row);
     }
-    return rows;
-}
+
+    /// Times every cell and the kernel once, in an order drawn for this round.
+    void time_round(int number, const GateKernel& kernel, double clock_cost_ns) {
+        sweep::take_turns(cells_.size() + 1, static_cast<std::uint64_t>(number) + 1, [&](std::size_t i) {
+            if (i < cells_.size()) {
+                cells_[i].ns.push_back(cells_[i].cell.runner().time({}, clock_cost_ns).all().value_or(0));
+            } else {
+                kernel_ns_.push_back(std::min(kernel.time_ns(), kernel.time_ns()));
+            }
+        });
+    }
+
+    /// Returns the rows over all rounds. Throws std::invalid_argument if there are too few rounds.
+    [[nodiscard]] std::vector<measure::RecordRow> rows() const {
+        std::vector<measure::RecordRow> rows;
+        for (const Cell& cell : cells_) {
+            const bool is_reference = &cell == &cells_.front();
+            const auto row =
+                gate_row(cell.name, cell.figure, cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
+            if (!row)
+                throw std::invalid_argument(
+                    fmt::format("{}: no ratio with an interval; give more --queries or --rounds", cell.name));
+            rows.push_back(*row);
+        }
+        return rows;
+    }
+
+  private:
+    struct Cell {
+        std::string name;  ///< "gjk lean_f64 cold cube8 batch=yes"
+        const char* figure = over_reference;
+        sweep::PreparedCell cell;
+        std::vector<double> ns;  ///< per query, round by round
+    };
+
+    sweep::SharedQueries shared_;
+    std::vector<Cell> cells_;
+    std::vector<double> kernel_ns_;
+};
 
 measure::FigureRecord record_without_rows(const GatePlan& plan) {
     const store::BuildRow build = bench::this_build();
@@ -327,7 +312,7 @@ bool add_group(const GatePlan& plan, const GateScene& scene, const std::string& 
 std::vector<std::string> gate_groups() {
     std::vector<std::string> groups;
     for (const GateScene& scene : gate_scenes())
-        for (const std::string& shape : gate_shapes()) groups.push_back(gate_group_name(scene.name, shape));
+        for (const char* shape : gate_shapes) groups.push_back(gate_group_name(scene.name, shape));
     return groups;
 }
 
@@ -336,7 +321,7 @@ std::optional<GateRun> run_gate(const GatePlan& plan,
                                 const std::atomic<bool>& stop) {
     GateRun run{record_without_rows(plan), {}};
     for (const GateScene& scene : gate_scenes()) {
-        for (const std::string& shape : gate_shapes()) {
+        for (const char* shape : gate_shapes) {
             const std::string name = gate_group_name(scene.name, shape);
             if (!is_asked_for(plan, name)) continue;
             if (!add_group(plan, scene, shape, stop, run)) return std::nullopt;

@@ -109,16 +109,127 @@ class StabilitySubject {
     /// Before it runs: as raw V-Clip.
     void make_raw() { runner_->configure({.query = {.hardened = false}}); }
 
-    void run(StabilityTally& tally);
+    void run(StabilityTally& tally) {
+        if (cases_.refused() > 0) tally.add_refusal(cases_.refused(), cases_.first_refusal());
+        for (std::size_t i = 0; i < cases_.all().size(); ++i) ask(i, tally);
+        time(tally);
+    }
 
   private:
-    void ask(std::size_t index, StabilityTally& tally);
-    void check_pose(StabilityPose at, const Distance& answer, StabilityTally& tally);
-    void prove_pose(StabilityPose at, StabilityTally& tally);
-    [[nodiscard]] truth::CheckedAnswer checked(StabilityPose at, const truth::Claim& claim) const;
-    [[nodiscard]] std::map<std::string, scene::Workload> by_gap();
-    void time(StabilityTally& tally);
-    [[nodiscard]] scene::Workload workload_of(std::size_t index) const;
+    [[nodiscard]] scene::Workload workload_of(std::size_t index) const {
+        const StabilityCase& given = cases_.all()[index];
+        scene::Workload workload;
+        workload.bodies = {given.a, given.b};
+        workload.pair_count = 1;
+        workload.warm = warm_;
+        for (const auto& [pose_a, pose_b] : given.poses)
+            workload.queries.push_back({0, 1, 0, pose_a, pose_b});
+        return workload;
+    }
+
+    void ask(std::size_t index, StabilityTally& tally) {
+        const scene::Workload workload = workload_of(index);
+        const std::string error = runner_->load(workload);
+        if (!error.empty()) return tally.add_refusal(workload.queries.size(), error);
+        const auto answers = runner_->answer();
+        for (std::size_t pose = 0; pose < answers.size(); ++pose) {
+            check_pose({index, pose}, answers[pose], tally);
+            if (proven_ < proofs_) prove_pose({index, pose}, tally);
+        }
+    }
+
+    [[nodiscard]] truth::CheckedAnswer checked(StabilityPose at, const truth::Claim& claim) const {
+        const truth::PlacedBodies bodies = cases_.placed(at, runner_->stored_bodies());
+        return truth::check(claim, bodies, cases_.known(at), bodies.band(type_.eps),
+                            allowed_errors(type_, algorithm_));
+    }
+
+    void check_pose(StabilityPose at, const Distance& answer, StabilityTally& tally) {
+        const auto stored = runner_->stored_bodies();
+        StabilityAnswer asked{checked(at, scene::claim_of(answer)), answer,
+                              cases_.known(at).exact(cases_.placed(at, stored)).distance};
+        if (const auto control = cases_.control(at, stored))
+            asked.checked.control_disagrees = *control == (answer.status == Status::separated);
+        tally.add(asked);
+    }
+
+    void prove_pose(StabilityPose at, StabilityTally& tally) {
+        ++proven_;
+        const StabilityCase& given = cases_.all()[at.index];
+        const auto& [pose_a, pose_b] = given.poses[at.pose];
+        const auto stored = runner_->stored_bodies();
+        const scene::Query query{0, 1, 0, pose_a, pose_b};
+        const bench::NamedAnswer answer = runner_->answer(query);
+        const std::vector<Polyhedron> bodies = {given.a, given.b};
+        const auto certificates = bench::certificates_of(answer, query, bodies, stored);
+        truth::Claim claim = scene::claim_of(answer.distance);
+        claim.depth = answer.depth;
+        const truth::CheckedAnswer found = checked(at, claim);
+        const truth::AccuracyBand& band = found.band;
+        StabilityProof proof;
+        proof.depth_error = band.beyond(found.depth_error);
+        proof.depth_wrong = found.depth_wrong;
+        proof.certificate_missed = true;
+        proof.depth_cut_short = answer.depth_cut_short;
+        if (certificates) {
+            const auto of_given = truth::exact_distance(given.a.vertices, pose_a, given.b.vertices, pose_b);
+            proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
+            const double allowed = allowed_errors(type_, algorithm_).distance * band.scale + band.band;
+            const truth::ExactDistance& exact = cases_.known(at).exact(cases_.placed(at, stored));
+            proof.certificate_missed =
+                !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given) ||
+                !bench::contradiction(answer.distance.distance, certificates->stored, allowed, allowed)
+                     .empty();
+        }
+        tally.add(proof);
+    }
+
+    /// Returns the queries of the first cases by gap, one workload per gap.
+    [[nodiscard]] std::map<std::string, scene::Workload> by_gap() {
+        std::map<std::string, scene::Workload> bins;
+        std::size_t taken = 0;
+        for (std::size_t i = 0; i < cases_.all().size() && taken < proofs_; ++i) {
+            const scene::Workload one = workload_of(i);
+            if (!runner_->load(one.bodies).empty()) continue;
+            const auto stored = runner_->stored_bodies();
+            std::map<std::string, std::uint32_t> first;  // of the case's bodies in a bin
+            for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
+                const truth::PlacedBodies placed = cases_.placed({i, pose}, stored);
+                truth::KnownPair& known = cases_.known({i, pose});
+                const auto& query = one.queries[pose];
+                const double scale = placed.band(type_.eps).scale;
+                const truth::ExactDistance& exact = known.exact(placed);
+                const bool separated = exact.verdict == truth::ExactVerdict::separated;
+                const double gap = separated ? exact.distance : -known.depth(placed);
+                const std::string bin = bin_of(gap / (scale > 0 ? scale : 1));
+                auto& bodies = bins[bin].bodies;
+                const auto [place, is_new] =
+                    first.try_emplace(bin, static_cast<std::uint32_t>(bodies.size()));
+                if (is_new) bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
+                bins[bin].queries.push_back(
+                    {place->second, place->second + 1, 0, query.pose_a, query.pose_b});
+            }
+        }
+        return bins;
+    }
+
+    /// Times cold queries of the first cases, gap by gap.
+    void time(StabilityTally& tally) {
+        const std::map<std::string, scene::Workload> bins = by_gap();
+        const double clock = measure::calibrate();
+        const char* none = proofs_ == 0 ? "not asked for" : "no case of this family has such a gap";
+        for (const std::string& bin : all_bins()) {
+            std::vector<double> ns;
+            if (const auto found = bins.find(bin);
+                found != bins.end() && runner_->load(found->second).empty()) {
+                const std::vector<std::uint8_t> one_class(found->second.queries.size(), 0);
+                for (int round = 0; round < timed_rounds; ++round)
+                    ns.push_back(runner_->time(one_class, clock).separated_ns /
+                                 static_cast<double>(one_class.size()));
+            }
+            tally.add_time(bin, measure::median(ns), none);
+        }
+    }
 
     const bench::TableType& type_;
     std::string algorithm_;
@@ -127,122 +238,6 @@ class StabilitySubject {
     StabilityCases& cases_;
     std::size_t proofs_, proven_ = 0;
 };
-
-scene::Workload StabilitySubject::workload_of(std::size_t index) const {
-    const StabilityCase& given = cases_.all()[index];
-    scene::Workload workload;
-    workload.bodies = {given.a, given.b};
-    workload.pair_count = 1;
-    workload.warm = warm_;
-    for (const auto& [pose_a, pose_b] : given.poses) workload.queries.push_back({0, 1, 0, pose_a, pose_b});
-    return workload;
-}
-
-void StabilitySubject::run(StabilityTally& tally) {
-    if (cases_.refused() > 0) tally.add_refusal(cases_.refused(), cases_.first_refusal());
-    for (std::size_t i = 0; i < cases_.all().size(); ++i) ask(i, tally);
-    time(tally);
-}
-
-void StabilitySubject::ask(std::size_t index, StabilityTally& tally) {
-    const scene::Workload workload = workload_of(index);
-    const std::string error = runner_->load(workload);
-    if (!error.empty()) return tally.add_refusal(workload.queries.size(), error);
-    const auto answers = runner_->answer();
-    for (std::size_t pose = 0; pose < answers.size(); ++pose) {
-        check_pose({index, pose}, answers[pose], tally);
-        if (proven_ < proofs_) prove_pose({index, pose}, tally);
-    }
-}
-
-truth::CheckedAnswer StabilitySubject::checked(StabilityPose at, const truth::Claim& claim) const {
-    const truth::PlacedBodies bodies = cases_.placed(at, runner_->stored_bodies());
-    return truth::check(claim, bodies, cases_.known(at), bodies.band(type_.eps),
-                        allowed_errors(type_, algorithm_));
-}
-
-void StabilitySubject::check_pose(StabilityPose at, const Distance& answer, StabilityTally& tally) {
-    const auto stored = runner_->stored_bodies();
-    StabilityAnswer asked{checked(at, scene::claim_of(answer)), answer,
-                          cases_.known(at).exact(cases_.placed(at, stored)).distance};
-    if (const auto control = cases_.control(at, stored))
-        asked.checked.control_disagrees = *control == (answer.status == Status::separated);
-    tally.add(asked);
-}
-
-void StabilitySubject::prove_pose(StabilityPose at, StabilityTally& tally) {
-    ++proven_;
-    const StabilityCase& given = cases_.all()[at.index];
-    const auto& [pose_a, pose_b] = given.poses[at.pose];
-    const auto stored = runner_->stored_bodies();
-    const scene::Query query{0, 1, 0, pose_a, pose_b};
-    const bench::NamedAnswer answer = runner_->answer(query);
-    const std::vector<Polyhedron> bodies = {given.a, given.b};
-    const auto certificates = bench::certificates_of(answer, query, bodies, stored);
-    truth::Claim claim = scene::claim_of(answer.distance);
-    claim.depth = answer.depth;
-    const truth::CheckedAnswer found = checked(at, claim);
-    const truth::AccuracyBand& band = found.band;
-    StabilityProof proof;
-    proof.depth_error = band.beyond(found.depth_error);
-    proof.depth_wrong = found.depth_wrong;
-    proof.certificate_missed = true;
-    proof.depth_cut_short = answer.depth_cut_short;
-    if (certificates) {
-        const auto of_given = truth::exact_distance(given.a.vertices, pose_a, given.b.vertices, pose_b);
-        proof.certificate_width = certificates->stored.width() / (band.scale > 0 ? band.scale : 1);
-        const double allowed = allowed_errors(type_, algorithm_).distance * band.scale + band.band;
-        const truth::ExactDistance& exact = cases_.known(at).exact(cases_.placed(at, stored));
-        proof.certificate_missed =
-            !holds(certificates->stored, exact) || !of_given || !holds(certificates->given, *of_given) ||
-            !bench::contradiction(answer.distance.distance, certificates->stored, allowed, allowed).empty();
-    }
-    tally.add(proof);
-}
-
-/// Returns the queries of the first cases by gap, one workload per gap.
-std::map<std::string, scene::Workload> StabilitySubject::by_gap() {
-    std::map<std::string, scene::Workload> bins;
-    std::size_t taken = 0;
-    for (std::size_t i = 0; i < cases_.all().size() && taken < proofs_; ++i) {
-        const scene::Workload one = workload_of(i);
-        if (!runner_->load(one.bodies).empty()) continue;
-        const auto stored = runner_->stored_bodies();
-        std::map<std::string, std::uint32_t> first;  // of the case's bodies in a bin
-        for (std::size_t pose = 0; pose < one.queries.size() && taken < proofs_; ++pose, ++taken) {
-            const truth::PlacedBodies placed = cases_.placed({i, pose}, stored);
-            truth::KnownPair& known = cases_.known({i, pose});
-            const auto& query = one.queries[pose];
-            const double scale = placed.band(type_.eps).scale;
-            const truth::ExactDistance& exact = known.exact(placed);
-            const bool separated = exact.verdict == truth::ExactVerdict::separated;
-            const double gap = separated ? exact.distance : -known.depth(placed);
-            const std::string bin = bin_of(gap / (scale > 0 ? scale : 1));
-            auto& bodies = bins[bin].bodies;
-            const auto [place, is_new] = first.try_emplace(bin, static_cast<std::uint32_t>(bodies.size()));
-            if (is_new) bodies.insert(bodies.end(), one.bodies.begin(), one.bodies.end());
-            bins[bin].queries.push_back({place->second, place->second + 1, 0, query.pose_a, query.pose_b});
-        }
-    }
-    return bins;
-}
-
-/// Times cold queries of the first cases, gap by gap.
-void StabilitySubject::time(StabilityTally& tally) {
-    const std::map<std::string, scene::Workload> bins = by_gap();
-    const double clock = measure::calibrate();
-    const char* none = proofs_ == 0 ? "not asked for" : "no case of this family has such a gap";
-    for (const std::string& bin : all_bins()) {
-        std::vector<double> ns;
-        if (const auto found = bins.find(bin); found != bins.end() && runner_->load(found->second).empty()) {
-            const std::vector<std::uint8_t> one_class(found->second.queries.size(), 0);
-            for (int round = 0; round < timed_rounds; ++round)
-                ns.push_back(runner_->time(one_class, clock).separated_ns /
-                             static_cast<double>(one_class.size()));
-        }
-        tally.add_time(bin, measure::median(ns), none);
-    }
-}
 
 std::vector<const scene::HardFamily*> chosen_families(const StabilityPlan& plan) {
     std::vector<const scene::HardFamily*> result;

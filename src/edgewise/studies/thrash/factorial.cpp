@@ -9,7 +9,6 @@
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
-#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::studies::thrash {
 

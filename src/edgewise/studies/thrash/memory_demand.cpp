@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include "edgewise/measure/cache/trace.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <tuple>
 
 #include "edgewise/measure/cache/segmented_lru.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/cell.hpp"

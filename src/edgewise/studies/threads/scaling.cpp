@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <tbb/info.h>
 
-#include <algorithm>
 #include <atomic>
 #include <set>
 #include <stdexcept>
