@@ -57,6 +57,7 @@ struct Case {
 TEST(KeptSimplex, ProvesWhereGjkEnds) {
     scene::Rng rng(11);
     std::array<int, 4> asked{}, proven{};
+    int beyond = 0;
     double worst = 0;
     for (int i = 0; i < 3000; ++i) {
         const Case at(rng);
@@ -65,6 +66,7 @@ TEST(KeptSimplex, ProvesWhereGjkEnds) {
         KeptSimplex<Table, Table, double> kept(at.a, at.b, at.pose);
         for (std::uint32_t k = 0; k < pair.count(); ++k) kept.push(pair.corner(k).a, pair.corner(k).b);
         ++asked[pair.count()];
+        beyond += kept.is_beyond(0.99 * at.exact, kept.direction());
         if (!kept.rests_on_all() || !kept.is_proven({})) continue;
         ++proven[pair.count()];
         worst = std::max(worst, at.error(kept));
@@ -75,6 +77,7 @@ TEST(KeptSimplex, ProvesWhereGjkEnds) {
         EXPECT_GT(asked[count], 100);
         EXPECT_GE(proven[count], 0.99 * asked[count]);
     }
+    EXPECT_GE(beyond, 0.99 * (asked[1] + asked[2] + asked[3])) << "along the direction of where GJK ends";
     EXPECT_LE(worst, 8 * Tolerance<double>::eps);
 }
 
