@@ -34,8 +34,8 @@ template <class Table>
 inline constexpr int steps_before_seeds = 5;
 
 /// That step for bodies that are scanned, if both have more vertices than most_walked. Time of aos_f64 over
-/// never, a Xeon with AVX-512, 0.1 / 1 rad per step / in any pose: at 38 vertices 1.05 / 0.79 / 0.57, a step
-/// before 1.35 / 0.74 / 0.51; at 8 vertices 1.02 / 1.19 / 0.88.
+/// never, a Xeon with AVX-512, 0.1 / 1 rad per step / in any pose: at 38 vertices 1.12 / 0.80 / 0.57, a step
+/// before 1.40 / 0.74 / 0.51; at 8 vertices 1.01 / 1.21 / 0.88.
 inline constexpr int steps_before_scans = 3;
 inline constexpr std::size_t most_walked = 16;
 
