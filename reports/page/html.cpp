@@ -2,16 +2,14 @@
 #include "edgewise/reports/page/html.hpp"
 
 #include <fmt/core.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <regex>
 #include <sstream>
-#include <stdexcept>
 
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -46,33 +44,6 @@ std::string html_option(const std::string& value, const std::string& text, bool 
                        html_text(text));
 }
 
-namespace {
-
-constexpr int gzip_window = 15 + 16;  ///< the largest window, with gzip's header (zlib.h, deflateInit2)
-constexpr int memory_level = 9;
-
-int digit(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
-
-}  // namespace
-
-std::string gzipped(std::string_view text) {
-    z_stream stream{};
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, memory_level,
-                     Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::runtime_error("zlib cannot start: too little memory for the report's page");
-    std::string packed(deflateBound(&stream, text.size()), '\0');
-    std::string input(text);  // zlib's interface wants it writable
-    stream.next_in = reinterpret_cast<Bytef*>(input.data());
-    stream.avail_in = static_cast<uInt>(input.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    [[maybe_unused]] const int code = deflate(&stream, Z_FINISH);
-    assert(code == Z_STREAM_END);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    return packed;
-}
-
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -89,13 +60,13 @@ std::string base64(std::string_view bytes) {
 
 std::string packed_element(std::string_view id, std::string_view text) {
     return fmt::format("<script type=\"text/plain\" id=\"packed-{}\">{}</script>\n", id,
-                       base64(gzipped(text)));
+                       base64(input::gzipped(text)));
 }
 
 std::string script_hash(std::string_view hexadecimal) {
     std::string bytes;
     for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2)
-        bytes += static_cast<char>(digit(hexadecimal[i]) * 16 + digit(hexadecimal[i + 1]));
+        bytes += static_cast<char>(std::stoi(std::string(hexadecimal.substr(i, 2)), nullptr, 16));
     return "sha256-" + base64(bytes);
 }
 

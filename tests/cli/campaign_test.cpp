@@ -41,8 +41,8 @@ TEST(CampaignCommand, ProvesAllPairsThatItWasAskedFor) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json line = json::parse(outcome.out);
     EXPECT_EQ(line["pairs"], 10'000);
-    EXPECT_EQ(line["answers"], 60'000)
-        << "cold and warm, by cofactors, by Johnson's search and for the verdict";
+    EXPECT_EQ(line["answers"], 100'000)
+        << "cold and warm, by cofactors, by Johnson's search, for the verdict, within a margin, and rounded";
     EXPECT_EQ(line["wrong"], 0);
     EXPECT_EQ(line["done"], true);
     EXPECT_GT(line["share_by_filter"], 0.9);

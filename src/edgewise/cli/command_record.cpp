@@ -14,7 +14,6 @@
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/process/child_process.hpp"
-#include "edgewise/scene/gzip_lines.hpp"
 
 namespace edgewise::cli {
 
@@ -81,7 +80,7 @@ int run_record(const RecordArguments& options, bool json) {
                                                 on_one_line_of(ran.value->err)));
     if (!ran.value->err.empty()) warn(on_one_line_of(ran.value->err));
     const std::string& text = ran.value->out;
-    input::write_output(options.out, options.out.ends_with(".gz") ? scene::gzipped(text) : text);
+    input::write_output(options.out, options.out.ends_with(".gz") ? input::gzipped(text) : text);
     const auto steps = std::ranges::count(text, '\n') - 1;  // after the header
     if (json)
         print_json(nlohmann::json{{"file", options.out}, {"steps", steps}});

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,26 +22,6 @@ namespace edgewise::scene {
 [[nodiscard]] inline std::uint32_t checksum_of(std::span<const std::byte> bytes, std::uint32_t before = 0) {
     return static_cast<std::uint32_t>(
         crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-/// The bytes as a gzip file.
-[[nodiscard]] inline std::string gzipped(const std::string& text) {
-    constexpr int gzip_window = 15 + 16;  // zlib.h: 16 more asks for a gzip header
-    z_stream stream{};
-    std::string bytes;
-    if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip_window, MAX_MEM_LEVEL,
-                     Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    bytes.resize(deflateBound(&stream, text.size()));
-    std::string from = text;  // zlib takes no constant
-    stream.next_in = reinterpret_cast<Bytef*>(from.data());
-    stream.avail_in = static_cast<uInt>(text.size());
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-    stream.avail_out = static_cast<uInt>(bytes.size());
-    deflate(&stream, Z_FINISH);
-    bytes.resize(stream.total_out);
-    deflateEnd(&stream);
-    return bytes;
 }
 
 /// Throws JsonFault where the file cannot be read on.

@@ -6,11 +6,11 @@
 // scale, a mirror image or a typing error is refused: no answer about another matrix would be the user's.
 #pragma once
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <string>
 
 #include "edgewise/geometry/message.hpp"
@@ -21,11 +21,6 @@
 namespace edgewise {
 
 namespace nearest_rotation_detail {
-
-inline double determinant(const Mat3d& r) {
-    const Vec3d x = r.col(0), y = r.col(1), z = r.col(2);
-    return dot(cross(x, y), z);
-}
 
 inline constexpr int shown_digits = 6;
 
@@ -49,15 +44,15 @@ inline Directions directions_of(const Mat3d& r, double largest) {
 
 /// A matrix with orthogonal columns.
 inline std::string scale_text(const Directions& of) {
-    const bool mirrors = determinant(of.unit) < 0;
+    const bool mirrors = of.unit.determinant() < 0;
     const auto [shortest, longest] = std::ranges::minmax(of.lengths);
     if (longest - shortest > sloppiest_written_rotation * longest)
         return message("scales the body's axes by ", rounded(of.lengths[0], shown_digits), ", ",
                        rounded(of.lengths[1], shown_digits), " and ", rounded(of.lengths[2], shown_digits),
                        mirrors ? " and mirrors it" : "", ": do so to the vertices instead");
     const double scale = of.lengths[0] / 3 + of.lengths[1] / 3 + of.lengths[2] / 3;
-    const bool unscaled = std::abs(scale - 1) <= sloppiest_written_rotation;
-    if (mirrors && unscaled) return "is a mirror image (its determinant is -1): mirror the vertices instead";
+    if (mirrors && std::abs(scale - 1) <= sloppiest_written_rotation)
+        return "is a mirror image (its determinant is -1): mirror the vertices instead";
     return message("is ", rounded(scale, shown_digits), " times a ", mirrors ? "mirror image" : "rotation",
                    mirrors ? ": scale and mirror the vertices instead" : ": scale the vertices instead");
 }
@@ -67,8 +62,7 @@ inline std::string what_it_is(const Mat3d& r) {
     const double largest = r.cwiseAbs().maxCoeff();
     if (largest == 0) return "is zero, and must be a rotation";
     const Directions of = directions_of(r, largest);
-    const double least_volume = sloppiest_written_rotation * sloppiest_written_rotation;
-    if (std::abs(determinant(of.unit)) < least_volume)
+    if (std::abs(of.unit.determinant()) < sloppiest_written_rotation * sloppiest_written_rotation)
         return "flattens the body (its columns lie in one plane), and must be a rotation";
     if (ortho_error(of.unit) <= sloppiest_written_rotation) return scale_text(of);
     return message("is no rotation: R^T R differs from the identity by ", rounded(ortho_error(r)),
@@ -82,7 +76,7 @@ inline std::string what_it_is(const Mat3d& r) {
 /// zero, flat, a scale, a mirror image. Neither names the place of R: "is 0.001 times a rotation: ...".
 [[nodiscard]] inline Result<Mat3d> nearest_rotation(const Mat3d& r) {
     const double off = ortho_error(r);
-    if (!(off <= sloppiest_written_rotation) || nearest_rotation_detail::determinant(r) < 0)
+    if (!(off <= sloppiest_written_rotation) || r.determinant() < 0)
         return Result<Mat3d>::failure(nearest_rotation_detail::what_it_is(r));
     if (off <= written_rotation_rounding) return Result<Mat3d>::success(r);
     return Result<Mat3d>::success(orthonormalised({r, Vec3d::Zero()}, Vec3d::Zero()).rotation,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What proves that up to three pairs of vertices hold the closest points: it proves those with which GJK
-// ends, and of vertices chosen at random nothing that is not so.
+// ends, those of V-Clip's features near contact, and of vertices chosen at random nothing that is not so.
 #include "edgewise/algorithms/kept_simplex.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/layouts/aos.hpp"
 #include "edgewise/layouts/points_soa.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
@@ -150,6 +152,35 @@ TEST(KeptSimplex, IsBeyondNothingThatIsNearer) {
     }
     std::printf("%d nearer than the cutoff, %d not decided, %d beyond it\n", nearer, undecided, beyond);
     for (const int visited : {nearer, undecided, beyond}) EXPECT_GT(visited, 1000);
+}
+
+struct CountsGjk : NoObserver {
+    int asked = 0;
+    void ask_gjk() { ++asked; }
+};
+
+/// A tip 1e-5 over a face of 16 sides: V-Clip in single proves the answer by three of the face's corners,
+/// whichever part of the face is below.
+TEST(KeptSimplex, HoldsATipOverAnyPartOfAFace) {
+    std::vector<Vec3d> rim;
+    for (int i = 0; i < 32; ++i)
+        rim.emplace_back(std::cos(i / 2 * M_PI / 8), std::sin(i / 2 * M_PI / 8), i % 2 ? 0.5 : -0.5);
+    const Polyhedron prism = convex_hull(rim).or_throw();
+    const Polyhedron tip =
+        convex_hull(std::vector<Vec3d>{{0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {-1, -1, 1}}).or_throw();
+    using Single = aos<f32>;
+    const Single a(prism, Parts::features), b(tip, Parts::features);
+    FeaturePair<Single, Single> pair(a, b);
+    CountsGjk observer;
+    for (int i = 0; i < 200; ++i) {
+        const double angle = 0.1 * i, radius = 0.004 * i;
+        const Transform<double> pose{Mat3d::Identity(),
+                                     {radius * std::cos(angle), radius * std::sin(angle), 0.5 + 1e-5}};
+        const Distance answer = VClip::query(a, b, pose, pair, {}, observer);
+        EXPECT_EQ(answer.refinements, 1) << i;
+        EXPECT_NEAR(answer.distance, 1e-5, 1e-7);
+    }
+    EXPECT_EQ(observer.asked, 0);
 }
 
 /// Three points of a difference: those of a body and the origin.

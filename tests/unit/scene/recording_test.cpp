@@ -14,8 +14,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "edgewise/input/output_file.hpp"
 #include "edgewise/record.hpp"
-#include "edgewise/scene/gzip_lines.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "made_scene.hpp"
 
@@ -228,11 +228,11 @@ TEST(Recording, IsThinnedByRateAndBySegments) {
 
 TEST(Recording, IsReadFromGzip) {
     const std::string text = boxes + step(0) + step(1);
-    const auto packed = read(gzipped(text), "mine.jsonl.gz");
+    const auto packed = read(input::gzipped(text), "mine.jsonl.gz");
     ASSERT_TRUE(packed) << packed.error;
     EXPECT_EQ(packed->checksum, read_well(text).checksum);
     EXPECT_EQ(packed->name, "mine");
-    const std::string bytes = gzipped(text);
+    const std::string bytes = input::gzipped(text);
     const auto cut = read(bytes.substr(0, bytes.size() - 20), "mine.jsonl.gz");
     ASSERT_FALSE(cut);
     EXPECT_THAT(cut.error, HasSubstr("the gzip data is cut off or damaged"));

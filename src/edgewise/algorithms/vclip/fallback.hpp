@@ -89,17 +89,22 @@ template <class Table>
 }
 
 /// Looks for the triangle of a face's fan over which the other body's vertex lies; push(v) adds the pair of a
-/// corner and that vertex. Only the first triangles are tried.
+/// corner and that vertex.
 template <class Kept, class Table, class Push>
 [[nodiscard]] bool rests_on_face(Kept& kept, const Body<Table>& body, const Push& push) {
-    std::array<typename Table::Vertex, 4> corners;
-    const std::uint32_t count = corners_of(body.table, body.feature, corners);
-    for (std::uint32_t i = 2; i < count; ++i) {
-        kept.clear();
-        push(corners[0]);
-        push(corners[i - 1]);
-        push(corners[i]);
-        if (kept.rests_on_all()) return true;
+    typename Table::Vertex first{}, last{};
+    int met = 0;
+    for (const auto [edge, flipped] : body.table.ring_of_face(body.feature.face())) {
+        const auto corner = flipped ? body.table.head(edge) : body.table.tail(edge);
+        if (++met == 1) first = corner;
+        if (met > 2) {
+            kept.clear();
+            push(first);
+            push(last);
+            push(corner);
+            if (kept.rests_on_all()) return true;
+        }
+        last = corner;
     }
     return false;
 }

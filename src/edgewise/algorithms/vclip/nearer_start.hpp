@@ -27,16 +27,13 @@ template <class Table>
     return body.table.tail((*body.table.ring_of_face(body.feature.face()).begin()).edge);
 }
 
-/// A warm run over tables with seeds that has not ended by this step counts as started far off. Time of
-/// lean_seeds_f64 over that with 4, a Zen 3 with other load, 0.1 / 1 rad per step / in any pose: 0.98 / 1.03
-/// / 1.03 at 386 vertices; with 8 0.92 / 1.17 / 1.14. Without seeds a climb from far off costs too much of
-/// the gain: aos_f64 at 0.1 rad took 1.14.
-inline constexpr int steps_before_seeds = 5;
-
-/// That step for bodies that are scanned, if both have more vertices than most_walked. Time of aos_f64 over
-/// never, a Xeon with AVX-512, 0.1 / 1 rad per step / in any pose: at 38 vertices 1.12 / 0.80 / 0.57, a step
-/// before 1.40 / 0.74 / 0.51; at 8 vertices 1.01 / 1.21 / 0.88.
-inline constexpr int steps_before_scans = 3;
+/// A warm run that has not ended by this step counts as started far off, over tables with seeds and of bodies
+/// that are scanned, if both have more vertices than most_walked. Time at 0.1 / 1 rad per step / in any pose:
+/// lean_seeds_f64 at 386 vertices over that with 4, a Zen 3 with other load, 0.98 / 1.03 / 1.03; with 8 0.92
+/// / 1.17 / 1.14. aos_f64 on spheres of 38 vertices over never, a Xeon with AVX-512, 1.00 / 0.89 / 0.58; with
+/// 3 1.09 / 0.75 / 0.49; at 8 vertices with 3 1.01 / 1.21 / 0.88. Without seeds a climb from far off costs
+/// too much of the gain: aos_f64 at 386 vertices and 0.1 rad took 1.14.
+inline constexpr int steps_before_search = 5;
 inline constexpr std::size_t most_walked = 16;
 
 template <class TableA, class TableB>
@@ -83,12 +80,12 @@ template <class TableA, class TableB>
             return 0;
         }
     }
-    if constexpr (have_seeds<TableA, TableB>) return 1 + steps_before_seeds;
+    if constexpr (have_seeds<TableA, TableB>) return 1 + steps_before_search;
     if constexpr (CountedTable<TableA> && CountedTable<TableB>) {
         const auto is_scanned = [](const auto& table) {
             return table.vertex_count() > most_walked && table.vertex_count() <= most_scanned;
         };
-        if (is_scanned(a.table) && is_scanned(b.table)) return 1 + steps_before_scans;
+        if (is_scanned(a.table) && is_scanned(b.table)) return 1 + steps_before_search;
     }
     return 0;
 }

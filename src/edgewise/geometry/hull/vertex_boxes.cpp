@@ -15,15 +15,6 @@ namespace {
 /// many boxes costs no more than the vertices in the boxes that are opened.
 constexpr double vertices_per_cell = 16;
 
-Aabb box_around(const std::vector<Vec3d>& points) {
-    Aabb box{points.front(), points.front()};
-    for (const Vec3d& point : points) {
-        box.low = box.low.cwiseMin(point);
-        box.high = box.high.cwiseMax(point);
-    }
-    return box;
-}
-
 /// Distance from the plane to the box's farthest corner on the positive side.
 double reach(const Plane<double>& plane, const Aabb& box) {
     const Vec3d half = (box.high - box.low) / 2;
@@ -34,12 +25,12 @@ double reach(const Plane<double>& plane, const Aabb& box) {
 
 VertexBoxes::VertexBoxes(const std::vector<Vec3d>& vertices) : vertices_(vertices), rounding_(0) {
     if (vertices.empty()) return;
-    const Aabb all = box_around(vertices);
+    const Aabb all = box_of(vertices);
     rounding_ = box_rounding * std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
     // A surface of n x n x n cells has about 6 n^2 with vertices in them.
     const double per_axis =
         std::ceil(std::sqrt(static_cast<double>(vertices.size()) / (6 * vertices_per_cell)));
-    const Vec3d extent = (all.high - all.low).cwiseMax(smallest_extent);
+    const Vec3d extent = all.sides().cwiseMax(smallest_extent);
     std::map<std::array<int, 3>, std::vector<Index>> grid;
     for (Index v = 0; v < vertices.size(); ++v) {
         const Vec3d place = ((vertices[v] - all.low).cwiseQuotient(extent) * (per_axis - 1)).array().round();
@@ -49,7 +40,7 @@ VertexBoxes::VertexBoxes(const std::vector<Vec3d>& vertices) : vertices_(vertice
     for (auto& [place, members] : grid) {
         std::vector<Vec3d> points;
         for (const Index v : members) points.push_back(vertices[v]);
-        cells_.push_back({box_around(points), std::move(members)});
+        cells_.push_back({box_of(points), std::move(members)});
     }
 }
 

@@ -7,6 +7,11 @@
 
 namespace edgewise::peers {
 
+template <class Library>
+concept GivesVerdictsAlone = requires {
+    Library::verdict_only;
+};
+
 /// Library: as for PeerBenchFor, with static members `name`, `precision`, `summary` and `cache`, and
 /// `verdict_only` if it gives no distances. Its version and the flags are CMake's to say.
 template <class Library>
@@ -16,10 +21,7 @@ inline constexpr PeerInfo info_of = {.name = Library::name,
                                      .summary = Library::summary,
                                      .cache = Library::cache,
                                      .flags = EDGEWISE_PEER_FLAGS,
-                                     .verdict_only = requires {Library::verdict_only;
-}  // namespace edgewise::peers
-, .make = make_bench<Library>
-}
-;
+                                     .verdict_only = GivesVerdictsAlone<Library>,
+                                     .make = make_bench<Library>};
 
 }  // namespace edgewise::peers

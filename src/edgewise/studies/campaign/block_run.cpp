@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/bench/runner_options.hpp"
+#include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/studies/campaign/pair_source.hpp"
@@ -19,26 +20,45 @@ namespace edgewise::studies::campaign {
 
 namespace {
 
+/// A way to ask the queries.
+struct QueryKind {
+    std::string suffix;  ///< of the cell's name
+    Needs needs = Needs::witnesses;
+    SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
+    bool rounded = false;  ///< the bodies are
+};
+
 class RunnerAsker final : public Asker {
   public:
-    RunnerAsker(const bench::TableType& type, const std::string& algorithm, const QueryOptions& query)
-        : runner_(type.make_runner(algorithm)) {
-        bench::RunnerOptions options;
-        options.query = query;
-        if (query.is_for_verdict()) options.set_needs(Needs::verdict);
+    RunnerAsker(const bench::TableType& type, const std::string& algorithm, const QueryKind& kind)
+        : kind_(kind), runner_(type.make_runner(algorithm)) {
+        bench::RunnerOptions options{.query = {.sub_distance = kind.sub_distance}};
+        options.set_needs(kind.needs);
         runner_->configure(options);
     }
 
     [[nodiscard]] std::string load(const scene::Workload& workload) override {
+        margin_ = 0;
+        if (kind_.rounded || has_margin(kind_.needs))
+            for (const Polyhedron& body : workload.bodies)
+                margin_ = std::max(margin_, bench::usual_margin * extent(body.vertices));
         return runner_->load(workload);
     }
-    [[nodiscard]] std::vector<Distance> answer() override { return runner_->answer(); }
+    [[nodiscard]] std::vector<Distance> answer() override {
+        std::vector<Distance> answers = runner_->answer();
+        if (kind_.rounded)
+            for (Distance& answer : answers) answer = rounded(answer, margin_ / 4, 3 * margin_ / 4);
+        return answers;
+    }
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override {
         return runner_->stored_bodies();
     }
+    [[nodiscard]] double margin() const override { return margin_; }
 
   private:
+    QueryKind kind_;
     std::unique_ptr<bench::Runner> runner_;
+    double margin_ = 0;
 };
 
 void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
@@ -56,16 +76,13 @@ std::vector<Block> class_blocks() {
     return blocks;
 }
 
-struct QueryKind {
-    std::string suffix;  ///< of the cell's name
-    QueryOptions options;
-};
-
+/// For the distance, within a margin, of rounded bodies; GJK also with Johnson's search and for the verdict.
 std::vector<QueryKind> query_kinds(std::string_view algorithm) {
-    std::vector<QueryKind> kinds(1);
+    std::vector<QueryKind> kinds = {
+        {}, {.suffix = " within", .needs = Needs::within}, {.suffix = " rounded", .rounded = true}};
     if (algorithm != "gjk") return kinds;
-    kinds.push_back({" johnson", {.sub_distance = SubDistanceSolver::johnson}});
-    kinds.push_back({" verdict", {.cutoff = 0}});
+    kinds.push_back({.suffix = " johnson", .sub_distance = SubDistanceSolver::johnson});
+    kinds.push_back({.suffix = " verdict", .needs = Needs::verdict});
     return kinds;
 }
 
@@ -86,6 +103,15 @@ std::string answers_of(const Cell& cell, const std::vector<scene::Workload>& wor
     return print.hex();
 }
 
+/// Checks a verdict on nearness: by the interval where that proves it, else by exact arithmetic.
+truth::CheckedAnswer check_nearness(bool nearer, double margin, const truth::AccuracyBand& band,
+                                    const truth::StoredPair& stored, const truth::PosesOfPair& poses,
+                                    truth::ProvenPair& known) {
+    if (nearer ? known.upper < margin : known.lower >= margin)
+        return {.is_bound = true, .has_distance = false, .band = band};
+    return truth::check_nearness(nearer, known.answers.exact(stored.placed(poses)), margin, band, 0);
+}
+
 }  // namespace
 
 std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
@@ -95,10 +121,10 @@ std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
         for (const bench::TableType* type : types) {
             if (!type->serves(algorithm)) continue;
             for (const QueryKind& kind : query_kinds(algorithm)) {
-                const QueryOptions query = kind.options;
                 cells.push_back({algorithm + " " + type->name + kind.suffix, type->eps,
-                                 allowed_errors(*type, algorithm).distance, query.is_for_verdict(),
-                                 [=] { return std::make_unique<RunnerAsker>(*type, algorithm, query); }});
+                                 allowed_errors(*type, algorithm).distance, kind.needs == Needs::verdict,
+                                 kind.rounded,
+                                 [=] { return std::make_unique<RunnerAsker>(*type, algorithm, kind); }});
             }
         }
     }
@@ -120,11 +146,20 @@ std::vector<Cell> one_of_each_class(std::vector<Cell> cells) {
     return result;
 }
 
-truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, const truth::StoredPair& stored,
-                                  const truth::PosesOfPair& poses, truth::ProvenPair& known) {
+truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, double margin,
+                                  const truth::StoredPair& stored, const truth::PosesOfPair& poses,
+                                  truth::ProvenPair& known) {
+    const truth::AccuracyBand band = stored.band(known, cell.eps);
     truth::Claim claim = scene::claim_of(answer, cell.verdict_only);
     if (cell.verdict_only) claim.distance = 0;  // a bound, which may be any
-    return truth::check(claim, stored, poses, known, stored.band(known, cell.eps), {cell.error_allowed});
+    if (margin > 0) {
+        const bool nearer = !claim.separated || (!cell.rounded && !(claim.distance >= margin));
+        const auto verdict = check_nearness(nearer, margin, band, stored, poses, known);
+        // Rounded bodies that overlap, and bodies beyond the margin, have no distance.
+        if (verdict.wrong() || nearer == cell.rounded) return verdict;
+        if (cell.rounded) claim.distance += margin;
+    }
+    return truth::check(claim, stored, poses, known, band, {cell.error_allowed});
 }
 
 std::string what_is_wrong(const truth::CheckedAnswer& checked, const Distance& answer,
@@ -140,112 +175,6 @@ std::string what_is_wrong(const truth::CheckedAnswer& checked, const Distance& a
         checked.witness_error, to_string(exact.verdict), exact.distance,
         deep ? fmt::format(", {:.3g} deep", known.answers.depth(bodies)) : "", checked.band.band,
         checked.band.scale);
-}
-
-namespace {
-
-/// Every member that is a sum, by its name in files.
-constexpr std::pair<const char*, std::uint64_t FamilyTally::*> family_sums[] = {
-    {"blocks", &FamilyTally::blocks},
-    {"pairs", &FamilyTally::pairs},
-    {"refused_pairs", &FamilyTally::refused_pairs},
-    {"separated", &FamilyTally::separated},
-    {"touching", &FamilyTally::touching},
-    {"overlapping", &FamilyTally::overlapping},
-    {"grazing", &FamilyTally::grazing},
-    {"double_proofs", &FamilyTally::double_proofs},
-    {"wide_proofs", &FamilyTally::wide_proofs},
-    {"exact_proofs", &FamilyTally::exact_proofs},
-    {"answers", &FamilyTally::answers},
-    {"refused", &FamilyTally::refused},
-    {"in_band", &FamilyTally::in_band},
-    {"exact_answers", &FamilyTally::exact_answers},
-    {"wrong", &FamilyTally::wrong},
-};
-constexpr std::pair<const char*, double FamilyTally::*> family_seconds[] = {
-    {"making_s", &FamilyTally::making_s},
-    {"asking_s", &FamilyTally::asking_s},
-    {"proving_s", &FamilyTally::proving_s},
-};
-constexpr std::pair<const char*, std::uint64_t CellTally::*> cell_sums[] = {
-    {"answers", &CellTally::answers},
-    {"refused", &CellTally::refused},
-    {"in_band", &CellTally::in_band},
-    {"wrong", &CellTally::wrong},
-};
-
-}  // namespace
-
-void FamilyTally::add(const FamilyTally& other) {
-    for (const auto& [name, member] : family_sums) this->*member += other.*member;
-    for (const auto& [name, member] : family_seconds) this->*member += other.*member;
-    const bool none =
-        least_vertices == 0 || (other.least_vertices > 0 && other.least_vertices < least_vertices);
-    if (none) least_vertices = other.least_vertices;
-    most_vertices = std::max(most_vertices, other.most_vertices);
-}
-
-/// Adds sums. NaN counts as the worst error; of two equal worst errors the first pair is kept.
-void CellTally::add(const CellTally& other) {
-    for (const auto& [name, member] : cell_sums) this->*member += other.*member;
-    const auto rank = [](double error) {
-        return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
-    };
-    const double mine = rank(worst_error), theirs = rank(other.worst_error);
-    if (theirs > mine || (theirs == mine && theirs > 0 && other.worst_pair < worst_pair)) {
-        worst_error = other.worst_error;
-        worst_pair = other.worst_pair;
-    }
-}
-
-void Tally::add(const Tally& other) {
-    for (const auto& [name, tally] : other.families) families[name].add(tally);
-    for (const auto& [name, tally] : other.cells) cells[name].add(tally);
-}
-
-FamilyTally Tally::all_families() const {
-    FamilyTally all;
-    for (const auto& [name, tally] : families) all.add(tally);
-    return all;
-}
-
-nlohmann::json to_json(const Tally& tally) {
-    nlohmann::json families = nlohmann::json::object(), cells = nlohmann::json::object();
-    for (const auto& [name, family] : tally.families) {
-        nlohmann::json& object = families[name];
-        for (const auto& [key, member] : family_sums) object[key] = family.*member;
-        for (const auto& [key, member] : family_seconds) object[key] = family.*member;
-        object["least_vertices"] = family.least_vertices;
-        object["most_vertices"] = family.most_vertices;
-    }
-    for (const auto& [name, cell] : tally.cells) {
-        nlohmann::json& object = cells[name];
-        for (const auto& [key, member] : cell_sums) object[key] = cell.*member;
-        // JSON has no NaN and no infinity.
-        object["worst_error"] =
-            std::isfinite(cell.worst_error) ? nlohmann::json(cell.worst_error) : nlohmann::json();
-        object["worst_pair"] = cell.worst_pair;
-    }
-    return {{"families", families}, {"cells", cells}};
-}
-
-Tally tally_of(const nlohmann::json& text) {
-    Tally tally;
-    for (const auto& [name, object] : text.at("families").items()) {
-        FamilyTally& family = tally.families[name];
-        for (const auto& [key, member] : family_sums) family.*member = object.at(key).get<std::uint64_t>();
-        for (const auto& [key, member] : family_seconds) family.*member = object.at(key).get<double>();
-        family.least_vertices = object.at("least_vertices").get<std::uint64_t>();
-        family.most_vertices = object.at("most_vertices").get<std::uint64_t>();
-    }
-    for (const auto& [name, object] : text.at("cells").items()) {
-        CellTally& cell = tally.cells[name];
-        for (const auto& [key, member] : cell_sums) cell.*member = object.at(key).get<std::uint64_t>();
-        const nlohmann::json& worst = object.at("worst_error");
-        cell.worst_error = worst.is_null() ? std::numeric_limits<double>::quiet_NaN() : worst.get<double>();
-        cell.worst_pair = object.at("worst_pair").get<std::uint64_t>();
-    }
-    return tally;
 }
 
 namespace {
@@ -350,7 +279,7 @@ void BlockRun::ask(std::size_t cell, bool warm, const Block& block, FamilyTally&
             continue;
         }
         const truth::CheckedAnswer checked =
-            check_answer(answers[i], cells_[cell], storage.pair, poses, known);
+            check_answer(answers[i], cells_[cell], askers.cold->margin(), storage.pair, poses, known);
         const std::uint64_t pair = PairPlace{block_, i}.pair();
         count_answer(checked, pair, family, tally);
         if (const std::string wrong = what_is_wrong(checked, answers[i], storage.pair, poses, known);

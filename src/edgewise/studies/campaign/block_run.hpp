@@ -25,10 +25,9 @@
 
 namespace edgewise::studies::campaign {
 
-// The cells of a campaign: an algorithm on a table type, one of each class of equal answers, and GJK also
-// with Johnson's sub-distance search and for the verdict alone. Most table types give the same bits as
-// another (shared arithmetic, other memory); the program compares its own answers, over pairs of every
-// family, to find which do.
+// The cells of a campaign: an algorithm on a table type, one of each class of equal answers, in all its ways
+// (query_kinds). Most table types give the same bits as another (shared arithmetic, other memory); the
+// program compares its own answers, over pairs of every family, to find which do.
 
 /// Answers the queries of a cell. The tests have one that gives wrong answers on purpose.
 class Asker {
@@ -43,6 +42,9 @@ class Asker {
     /// Answers every query of the workload: from cold, or warm where the workload says so.
     [[nodiscard]] virtual std::vector<Distance> answer() = 0;
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
+    /// Of the loaded pair: the sum of the radii of rounded bodies, or within what a distance is asked; else
+    /// 0.
+    [[nodiscard]] virtual double margin() const { return 0; }
 };
 
 struct Cell {
@@ -50,19 +52,20 @@ struct Cell {
     double eps = 0;             ///< rounding step of the arithmetic
     double error_allowed = 0;   ///< over scale, beyond the band
     bool verdict_only = false;  ///< its distances are bounds, and not checked
+    bool rounded = false;       ///< its distances count from the margin on
     std::function<std::unique_ptr<Asker>()> make_asker;
     std::vector<std::string> as_well{};  ///< cells with the same answers
 };
 
-/// Returns every algorithm on every table type that supports it; GJK in each of its three ways.
+/// Returns every algorithm on every table type that supports it, in each of its ways.
 [[nodiscard]] std::vector<Cell> cells_of(std::span<const bench::TableType* const> types,
                                          std::span<const std::string> algorithms);
 
 /// Returns the first cell of each class of equal answers (status, distance, witness points, normal).
 [[nodiscard]] std::vector<Cell> one_of_each_class(std::vector<Cell> cells);
 
-/// Checks an answer against the exact one.
-[[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell,
+/// Checks an answer against the exact one. `margin`: Asker::margin.
+[[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, double margin,
                                                 const truth::StoredPair& stored,
                                                 const truth::PosesOfPair& poses, truth::ProvenPair& known);
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/scene/shapes.hpp"
 #include "edgewise/studies/campaign/block_run.hpp"
 
 namespace edgewise::studies::campaign {
@@ -161,32 +162,68 @@ TEST(Campaign, ThinBodiesAreRightColdAndWarm) {
     EXPECT_GT(all.overlapping, 1000U);
 }
 
-/// Johnson's search and the verdict alone take other paths through GJK, so the campaign asks them too.
-TEST(Campaign, AsksGjkInEachOfItsWays) {
+/// Johnson's search and the verdict alone take other paths through GJK, and a margin through both algorithms,
+/// so the campaign asks them too.
+TEST(Campaign, AsksInEveryWay) {
     std::vector<std::string> names;
     for (const Cell& cell : one_of_each_class(honest_cells())) names.push_back(cell.name);
     EXPECT_THAT(names, testing::IsSupersetOf({"gjk lean_f32", "gjk lean_f32 johnson", "gjk lean_f32 verdict",
-                                              "gjk aos_f64", "gjk aos_f64 verdict", "vclip lean_f32"}));
+                                              "gjk lean_f32 within", "gjk lean_f32 rounded", "gjk aos_f64",
+                                              "gjk aos_f64 verdict", "vclip lean_f32",
+                                              "vclip lean_f32 within", "vclip lean_f32 rounded"}));
 }
 
 /// Without a distance to check, a wrong verdict is still found.
 TEST(Campaign, FindsWrongVerdictsOfACellWithoutDistances) {
     const PairSource source(3, {"random"}, {"cube8"});
     const Block block = source.block(0, 1);
-    const Cell distance{"distance", 0x1p-52, 1e-12, false, {}}, verdict{"verdict", 0x1p-52, 1e-12, true, {}};
+    Cell distance, verdict;
+    distance.eps = verdict.eps = 0x1p-52;
+    distance.error_allowed = 1e-12;
+    verdict.verdict_only = true;
     truth::StoredPair stored(block.a.vertices, block.b.vertices);
     Distance far;
     far.status = Status::separated;
     far.distance = 1e3;
     const auto wrong = [&](const Cell& cell, const std::pair<Pose, Pose>& poses) {
         truth::ProvenPair known = stored.know(poses, Vec3d::UnitX());
-        return what_is_wrong(check_answer(far, cell, stored, poses, known), far, stored, poses, known);
+        return what_is_wrong(check_answer(far, cell, 0, stored, poses, known), far, stored, poses, known);
     };
     Pose beside;
     beside.translation = Vec3d(9, 0, 0);
     EXPECT_THAT(wrong(distance, {Pose{}, beside}), testing::StartsWith("wrong distance"));
     EXPECT_EQ(wrong(verdict, {Pose{}, beside}), "");
     EXPECT_THAT(wrong(verdict, {Pose{}, Pose{}}), testing::StartsWith("wrong verdict"));
+}
+
+/// Unit cubes whose faces are 2 apart, with radii of 0.5 together, and asked for a distance within 2.5.
+TEST(Campaign, FindsWrongAnswersAboutAMargin) {
+    const Polyhedron cube = scene::make_shape("cube8").or_throw();
+    const double side = 2 * std::abs(cube.vertices[0].x());
+    const std::pair<Pose, Pose> poses{Pose{}, {Mat3d::Identity(), Vec3d(3 * side, 0, 0)}};
+    truth::StoredPair stored(cube.vertices, cube.vertices);
+    const auto is_right = [&](bool rounded, double margin, Status status, double distance) {
+        Cell cell;
+        cell.eps = 0x1p-52;
+        cell.error_allowed = 1e-12;
+        cell.rounded = rounded;
+        Distance answer;
+        answer.status = status;
+        answer.distance = distance * side;
+        answer.point_b = Vec3d(answer.distance, 0, 0);
+        truth::ProvenPair known = stored.know(poses, Vec3d::UnitX());
+        return !check_answer(answer, cell, margin * side, stored, poses, known).wrong();
+    };
+    EXPECT_TRUE(is_right(true, 0.5, Status::separated, 1.5));
+    EXPECT_FALSE(is_right(true, 0.5, Status::separated, 2));
+    EXPECT_FALSE(is_right(true, 0.5, Status::overlapping, 0));
+    EXPECT_TRUE(is_right(true, 2.5, Status::overlapping, 0));
+    EXPECT_FALSE(is_right(true, 2.5, Status::separated, 0.1));
+    EXPECT_TRUE(is_right(false, 2.5, Status::separated, 2));
+    EXPECT_FALSE(is_right(false, 2.5, Status::separated, 2.1));
+    EXPECT_FALSE(is_right(false, 2.5, Status::separated, 2.5)) << "said to be beyond";
+    EXPECT_TRUE(is_right(false, 1.5, Status::separated, 1.5));
+    EXPECT_FALSE(is_right(false, 1.5, Status::touching, 0));
 }
 
 TEST(Campaign, GoesOnFromItsFileWithTheSameSums) {
