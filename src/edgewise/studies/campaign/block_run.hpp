@@ -42,8 +42,7 @@ class Asker {
     /// Answers every query of the workload: from cold, or warm where the workload says so.
     [[nodiscard]] virtual std::vector<Distance> answer() = 0;
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
-    /// Of the loaded pair: the sum of the radii of rounded bodies, or within what a distance is asked; else
-    /// 0.
+    /// Sum of the loaded bodies' radii, or the margin within which their distance is asked; 0: neither.
     [[nodiscard]] virtual double margin() const { return 0; }
 };
 

@@ -196,7 +196,7 @@ TEST(Campaign, FindsWrongVerdictsOfACellWithoutDistances) {
     EXPECT_THAT(wrong(verdict, {Pose{}, Pose{}}), testing::StartsWith("wrong verdict"));
 }
 
-/// Unit cubes whose faces are 2 apart, with radii of 0.5 together, and asked for a distance within 2.5.
+/// Unit cubes with faces that are 2 apart: with a sum of radii of 0.5 or 2.5, and within a margin.
 TEST(Campaign, FindsWrongAnswersAboutAMargin) {
     const Polyhedron cube = scene::make_shape("cube8").or_throw();
     const double side = 2 * std::abs(cube.vertices[0].x());
