@@ -2,14 +2,15 @@
 #include "edgewise/reports/page/html.hpp"
 
 #include <fmt/core.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <regex>
 #include <sstream>
 
 #include "edgewise/input/file_text.hpp"
-#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -44,6 +45,23 @@ std::string html_option(const std::string& value, const std::string& text, bool 
                        html_text(text));
 }
 
+std::string gzipped(std::string_view text) {
+    constexpr int gzip_window = 15 + 16;  // zlib.h: 16 more asks for a gzip header
+    z_stream stream{};
+    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, MAX_MEM_LEVEL,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
+        throw std::bad_alloc();
+    std::string bytes(deflateBound(&stream, text.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // zlib only reads it
+    stream.avail_in = static_cast<uInt>(text.size());
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+    stream.avail_out = static_cast<uInt>(bytes.size());
+    deflate(&stream, Z_FINISH);
+    bytes.resize(stream.total_out);
+    deflateEnd(&stream);
+    return bytes;
+}
+
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -60,7 +78,7 @@ std::string base64(std::string_view bytes) {
 
 std::string packed_element(std::string_view id, std::string_view text) {
     return fmt::format("<script type=\"text/plain\" id=\"packed-{}\">{}</script>\n", id,
-                       base64(input::gzipped(text)));
+                       base64(gzipped(text)));
 }
 
 std::string script_hash(std::string_view hexadecimal) {

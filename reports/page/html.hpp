@@ -30,6 +30,8 @@ namespace edgewise::reports {
 // unpack by themselves (DecompressionStream). Among it are the three script bundles of the chart engine,
 // fetched at set-up (cmake/charts.cmake).
 
+/// Returns the compressed text; equal texts give equal bytes, since the header has no time.
+[[nodiscard]] std::string gzipped(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 /// A script element that no browser runs, "packed-ID", with the packed text in it.

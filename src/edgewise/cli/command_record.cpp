@@ -14,6 +14,7 @@
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/process/child_process.hpp"
+#include "edgewise/reports/page/html.hpp"
 
 namespace edgewise::cli {
 
@@ -80,7 +81,7 @@ int run_record(const RecordArguments& options, bool json) {
                                                 on_one_line_of(ran.value->err)));
     if (!ran.value->err.empty()) warn(on_one_line_of(ran.value->err));
     const std::string& text = ran.value->out;
-    input::write_output(options.out, options.out.ends_with(".gz") ? input::gzipped(text) : text);
+    input::write_output(options.out, options.out.ends_with(".gz") ? reports::gzipped(text) : text);
     const auto steps = std::ranges::count(text, '\n') - 1;  // after the header
     if (json)
         print_json(nlohmann::json{{"file", options.out}, {"steps", steps}});

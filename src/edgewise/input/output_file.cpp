@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <array>
 #include <atomic>
@@ -13,7 +12,6 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 
 namespace edgewise::input {
@@ -157,23 +155,6 @@ void write_output(const std::string& path, std::string_view text) {
     OutputFile file(path);
     file.stream().write(text.data(), static_cast<std::streamsize>(text.size()));
     file.finish();
-}
-
-std::string gzipped(std::string_view text) {
-    constexpr int gzip_window = 15 + 16;  // zlib.h: 16 more asks for a gzip header
-    z_stream stream{};
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, MAX_MEM_LEVEL,
-                     Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    std::string bytes(deflateBound(&stream, text.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));  // zlib only reads it
-    stream.avail_in = static_cast<uInt>(text.size());
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-    stream.avail_out = static_cast<uInt>(bytes.size());
-    deflate(&stream, Z_FINISH);
-    bytes.resize(stream.total_out);
-    deflateEnd(&stream);
-    return bytes;
 }
 
 }  // namespace edgewise::input

@@ -52,7 +52,4 @@ class OutputFile {
 /// Writes the whole file. Throws std::runtime_error as OutputFile does.
 void write_output(const std::string& path, std::string_view text);
 
-/// The text as a gzip file (RFC 1952); equal texts give equal bytes, since the header has no time.
-[[nodiscard]] std::string gzipped(std::string_view text);
-
 }  // namespace edgewise::input

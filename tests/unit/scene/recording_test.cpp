@@ -8,13 +8,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "edgewise/input/output_file.hpp"
 #include "edgewise/record.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "made_scene.hpp"
@@ -73,6 +73,16 @@ std::string one_hull(const std::array<Scalar, 7>& pose, const std::array<Scalar,
     const std::array<std::size_t, 2> pairs[] = {{1, 0}};
     recorder.step({.time = 0.1, .poses = poses, .pairs = pairs});
     return out.str();
+}
+
+std::string gzipped(const std::string& text) {
+    const std::string path = testing::TempDir() + "packed_recording.gz";
+    const gzFile file = gzopen(path.c_str(), "wb");
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(file);
+    std::ostringstream bytes;
+    bytes << std::ifstream(path).rdbuf();
+    return bytes.str();
 }
 
 TEST(Recording, ReadsBackWhatTheHeaderForEnginesWrote) {
@@ -228,11 +238,11 @@ TEST(Recording, IsThinnedByRateAndBySegments) {
 
 TEST(Recording, IsReadFromGzip) {
     const std::string text = boxes + step(0) + step(1);
-    const auto packed = read(input::gzipped(text), "mine.jsonl.gz");
+    const auto packed = read(gzipped(text), "mine.jsonl.gz");
     ASSERT_TRUE(packed) << packed.error;
     EXPECT_EQ(packed->checksum, read_well(text).checksum);
     EXPECT_EQ(packed->name, "mine");
-    const std::string bytes = input::gzipped(text);
+    const std::string bytes = gzipped(text);
     const auto cut = read(bytes.substr(0, bytes.size() - 20), "mine.jsonl.gz");
     ASSERT_FALSE(cut);
     EXPECT_THAT(cut.error, HasSubstr("the gzip data is cut off or damaged"));

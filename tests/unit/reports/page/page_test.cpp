@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 #include <zlib.h>
 
-#include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 #include "edgewise/store/schema.hpp"
@@ -109,11 +108,11 @@ std::string gunzipped(std::string packed, std::size_t size) {
 TEST(Packing, GzipUnpacksToTheSameTextAndIsTheSameBytes) {
     std::string text;
     for (int i = 0; i < 5000; ++i) text += "row " + std::to_string(i % 77) + "\n";
-    const std::string packed = input::gzipped(text);
+    const std::string packed = gzipped(text);
     EXPECT_LT(packed.size(), text.size() / 20);
     EXPECT_EQ(gunzipped(packed, text.size()), text);
-    EXPECT_EQ(input::gzipped(text), packed);
-    EXPECT_EQ(gunzipped(input::gzipped(""), 0), "");
+    EXPECT_EQ(gzipped(text), packed);
+    EXPECT_EQ(gunzipped(gzipped(""), 0), "");
 }
 
 /// The examples of RFC 4648, section 10.
