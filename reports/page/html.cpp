@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <new>
 #include <regex>
 #include <sstream>
@@ -56,7 +57,8 @@ std::string gzipped(std::string_view text) {
     stream.avail_in = static_cast<uInt>(text.size());
     stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
     stream.avail_out = static_cast<uInt>(bytes.size());
-    deflate(&stream, Z_FINISH);
+    [[maybe_unused]] const int code = deflate(&stream, Z_FINISH);
+    assert(code == Z_STREAM_END);
     bytes.resize(stream.total_out);
     deflateEnd(&stream);
     return bytes;
