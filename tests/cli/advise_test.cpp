@@ -5,8 +5,14 @@
 // at.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "cli_paths.hpp"
 #include "program.hpp"
@@ -54,7 +60,10 @@ void expect_can_be_typed(const std::string& command, const Folder& folder) {
 
 TEST(Advise, TakesNamesAndExplains) {
     const Folder folder;
-    const Outcome outcome = run(few_cubes({"--error", "1.5e-6", "--machines", "l2=256K"}), folder);
+    // What an earlier process of the same number left behind is not used.
+    const Outcome outcome = run_in_shell(
+        "left=\"$PWD\"/edgewise-advise-$$; mkdir $left; echo '?' >$left/1.db; TMPDIR=$PWD exec \"$0\" \"$@\"",
+        few_cubes({"--error", "1.5e-6", "--machines", "l2=256K"}), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << "steps are for people";
     const json advice = json::parse(outcome.out);
@@ -133,11 +142,29 @@ TEST(Advise, NamesFirstWhatItLeftOut) {
 TEST(Advise, DropsAWrongCell) {
     const Folder folder;
     const Outcome outcome = Process(crooked_program_path, few_cubes({}), folder).wait();
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
     const json advice = json::parse(outcome.out);
     EXPECT_EQ(advice["take"]["table"], "straight_f64");
     ASSERT_EQ(advice["dropped"].size(), 1U);
     EXPECT_EQ(advice["dropped"][0]["table"], "crooked_f64");
+}
+
+TEST(Advise, LeavesNothingBehindAtCtrlC) {
+    const Folder folder;
+    Arguments words = {"-c", "TMPDIR=$PWD exec \"$0\" \"$@\"", program_path};
+    std::ranges::copy(few_cubes({}), std::back_inserter(words));
+    Process process("/bin/sh", words, folder);
+    const auto works = [&] {
+        return std::ranges::any_of(std::filesystem::directory_iterator(folder.path()),
+                                   [](const auto& entry) { return entry.is_directory(); });
+    };
+    while (!works() && !process.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    process.send(SIGINT);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("stopped: no advice"));
+    EXPECT_FALSE(works());
 }
 
 TEST(Advise, AsksASceneFileAndRepeatsIt) {

@@ -70,7 +70,7 @@ class Measuring {
     void run() {
         look();
         if (const auto cells = cells_to_race(advice_.screen); !cells.empty()) race(cells);
-        if (can_share(advice_.asked)) look_at_other_tables();
+        if (can_share(advice_.asked) && !stop_requested) look_at_other_tables();
         advice_.not_asked.emplace_back(
             "other velocities, other bodies; hardware counters (edgewise machine says which there are)");
         advice_.seconds = elapsed();
@@ -84,7 +84,7 @@ class Measuring {
 
     void look() {
         TimeLimit limit = until(advice_.machines.empty() ? until_screened : until_screened_for_machines);
-        advice_.screen = screen(advice_.asked, {}, [&] { return !limit.begin_piece(); });
+        advice_.screen = screen(advice_.asked, {}, [&] { return stop_on_signals() || !limit.begin_piece(); });
         say_(fmt::format("looked at {} cells, {} dropped ({:.1f} s)", advice_.screen.cells.size(),
                          count_dropped(advice_.screen), elapsed()));
         looked_seconds_ = elapsed();
@@ -318,6 +318,10 @@ int run_advise(const AdviseArguments& options, bool json) {
     Measuring(advice, options.seconds, [json](const std::string& line) {
         if (!json) fmt::print(stderr, "{}\n", line);
     }).run();
+    if (stop_requested) {
+        warn("stopped: no advice");
+        return exit_check_failed;
+    }
     fmt::print("{}",
                json ? input::json_text(advice_json(advice)) + "\n" : input::shown_text(advice_text(advice)));
     return advice.race.taken() ? exit_done : exit_check_failed;

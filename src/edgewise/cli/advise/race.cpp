@@ -3,15 +3,18 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 #include <thread>
 
+#include "edgewise/cli/command.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/counters/calibration.hpp"
 #include "edgewise/measure/process/child_process.hpp"
@@ -29,11 +32,13 @@ namespace fs = std::filesystem;
 /// The scenes of such a sweep: the case, and few bodies that fit the cache.
 constexpr const char *case_scene = "advise_case", *small_scene = "advise_in_cache";
 
-/// Removed at the end with all that it holds.
+/// New, and removed at the end with all that it holds.
 class WorkFolder {
   public:
-    WorkFolder() : path_(fs::temp_directory_path() / fmt::format("edgewise-advise-{}", getpid())) {
-        fs::create_directories(path_);
+    WorkFolder() {
+        std::string name = fs::temp_directory_path() / "edgewise-advise-XXXXXX";
+        if (!mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
+        path_ = name;
     }
     ~WorkFolder() {
         std::error_code ignored;
@@ -228,6 +233,7 @@ class Running {
 
     /// Empty, or why it did not come to its end.
     std::string run_process(double seconds) {
+        if (stop_requested) return "stopped";
         if (seconds <= 0) return no_time;
         sweep_.traces = !sweep_.machines.empty();
         sweep_.store = folder_.file(std::to_string(++begun_) + ".db");
