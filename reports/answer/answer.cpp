@@ -18,6 +18,20 @@
 
 namespace edgewise::reports {
 
+bool any_unfinished(const std::vector<SweepRun>& runs) {
+    return std::ranges::any_of(runs, [](const SweepRun& run) { return !run.finished(); });
+}
+
+std::size_t missing_cells(const std::vector<SweepRun>& runs) {
+    std::size_t missing = 0;
+    for (const SweepRun& run : runs)
+        if (!run.finished() && run.planned > run.done) missing += run.planned - run.done;
+    return missing;
+}
+
+namespace {
+
+/// Returns the sweeps of the build that is shown.
 std::vector<SweepRun> sweep_runs(const ReportData& data) {
     const std::string prefix = store::run_key;
     std::vector<SweepRun> runs;
@@ -39,19 +53,6 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
     return runs;
 }
 
-bool any_unfinished(const std::vector<SweepRun>& runs) {
-    return std::ranges::any_of(runs, [](const SweepRun& run) { return !run.finished(); });
-}
-
-std::size_t missing_cells(const std::vector<SweepRun>& runs) {
-    std::size_t missing = 0;
-    for (const SweepRun& run : runs)
-        if (!run.finished() && run.planned > run.done) missing += run.planned - run.done;
-    return missing;
-}
-
-namespace {
-
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Returns "# cases at #e-#" for "3 cases at 1e-6", so that reasons that differ in numbers are equal.
@@ -71,8 +72,7 @@ struct Found {
     std::set<std::string> probes, reasons;
 };
 
-}  // namespace
-
+/// Counts the gaps of a store's cells and rows. Reasons that differ in numbers only are one, each number a #.
 Gaps gaps_of(const ReportData& data) {
     Gaps all;
     std::map<std::pair<std::string, std::string>, Found> found;
@@ -97,8 +97,6 @@ Gaps gaps_of(const ReportData& data) {
     std::ranges::stable_sort(all.gaps, [](const Gap& a, const Gap& b) { return a.figures > b.figures; });
     return all;
 }
-
-namespace {
 
 /// Cells of one scene by shape.
 using ByShape = std::map<std::string, std::vector<const ReportCell*>>;

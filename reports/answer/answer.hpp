@@ -25,9 +25,6 @@ struct SweepRun {
     [[nodiscard]] bool finished() const { return !ended.empty(); }
 };
 
-/// Returns the sweeps of the build that is shown.
-[[nodiscard]] std::vector<SweepRun> sweep_runs(const ReportData& data);
-
 [[nodiscard]] bool any_unfinished(const std::vector<SweepRun>& runs);
 /// Returns the number of planned cells that no sweep reached; cells that two plans share count twice.
 [[nodiscard]] std::size_t missing_cells(const std::vector<SweepRun>& runs);
@@ -44,9 +41,6 @@ struct Gaps {
 
     [[nodiscard]] std::size_t figures() const { return measured + missing; }
 };
-
-/// Counts the gaps of a store's cells and rows. Reasons that differ in numbers only are one, each number a #.
-[[nodiscard]] Gaps gaps_of(const ReportData& data);
 
 /// Number of the store's cells by status.
 struct CellCounts {

@@ -299,9 +299,8 @@ std::string question_key(const std::string& shape, const Question& question) {
 }  // namespace
 
 std::string answers_data(const ReportData& data) {
-    nlohmann::ordered_json answers = nlohmann::ordered_json::object(),
-                           lines = nlohmann::ordered_json::array();
-    std::map<std::string, std::size_t> places;  // of the lines: most are in several answers
+    nlohmann::ordered_json answers = nlohmann::ordered_json::object();
+    DistinctTexts lines;  // most are in several answers
     std::vector<std::string> shapes = {""};
     for (const auto& [vertices, shape] : shapes_by_vertices(data)) shapes.push_back(shape);
     for (Question question : offered_questions(data)) {
@@ -313,17 +312,13 @@ std::string answers_data(const ReportData& data) {
                 const Answer answer = answer_of_scenes(data, question);
                 nlohmann::ordered_json html = nlohmann::ordered_json::array();
                 std::istringstream text(answer_html(answer, decisions.table(limit, shape), data));
-                for (std::string line; std::getline(text, line);) {
-                    const auto [at, is_new] = places.emplace(line, lines.size());
-                    if (is_new) lines.push_back(line);
-                    html.push_back(at->second);
-                }
+                for (std::string line; std::getline(text, line);) html.push_back(lines.place(line));
                 answers[question_key(shape, question)] = {
                     {"title", title_of(limit)}, {"command", measuring_command(answer)}, {"html", html}};
             }
         }
     }
-    return input::json_text(nlohmann::ordered_json{{"lines", lines}, {"answers", answers}});
+    return input::json_text(nlohmann::ordered_json{{"lines", lines.texts()}, {"answers", answers}});
 }
 
 }  // namespace edgewise::reports

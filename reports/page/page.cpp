@@ -205,21 +205,6 @@ std::string dumped(const ChartJson& json) { return input::json_text(json); }
 /// Seven digits: what a count up to ten million has, and more than any time.
 ChartJson rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
 
-/// Texts and their places, in order of appearance.
-class Dictionary {
-  public:
-    std::size_t place(const std::string& text) {
-        const auto [at, fresh] = places_.emplace(text, texts_.size());
-        if (fresh) texts_.push_back(text);
-        return at->second;
-    }
-    [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
-
-  private:
-    std::map<std::string, std::size_t> places_;
-    std::vector<std::string> texts_;
-};
-
 ChartJson identity_columns(const std::vector<const ReportCell*>& cells) {
     ChartJson columns = ChartJson::object();
     const auto add = [&](const char* name, const auto& get) {
@@ -227,7 +212,7 @@ ChartJson identity_columns(const std::vector<const ReportCell*>& cells) {
         for (const ReportCell* cell : cells) values.push_back(get(*cell));
         columns[name] = std::move(values);
     };
-    add("cell", [](const ReportCell& cell) { return cell.hash.substr(0, 12); });  // as in tables
+    add("cell", [](const ReportCell& cell) { return cell.hash.substr(0, 12); });
     add("scene", [](const ReportCell& cell) { return cell.scene_label; });
     add("shape", [](const ReportCell& cell) { return cell.shape; });
     add("vertices", [](const ReportCell& cell) { return cell.vertices; });
@@ -246,7 +231,7 @@ struct FigureValues {
     std::vector<ChartJson> values;
 };
 
-ChartJson value_json(const store::FigureRow& figure, Dictionary& reasons) {
+ChartJson value_json(const store::FigureRow& figure, DistinctTexts& reasons) {
     if (figure.value) return rounded(*figure.value);
     const std::string why = figure.remedy.empty() ? figure.reason : figure.reason + " – " + figure.remedy;
     return std::to_string(reasons.place(why));
@@ -304,7 +289,7 @@ ChartJson columns_json(const ChartJson& rows) {
 std::string cells_data(const ReportData& data) {
     const std::vector<const ReportCell*> cells = every_cell(data);
     std::map<std::string, FigureValues> figures;
-    Dictionary reasons;
+    DistinctTexts reasons;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         for (const store::FigureRow& figure : cells[i]->figures) {
             FigureValues& column = figures[figure_key(figure)];

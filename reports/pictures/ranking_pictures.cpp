@@ -20,30 +20,35 @@ namespace {
 
 constexpr double decades_with_all_ticks = 2.5;
 
-}  // namespace
+/// Values outside the ends are drawn at the ends.
+class LogScale {
+  public:
+    /// 0 < low < high; pixels may run downwards.
+    LogScale(double low, double high, double first_pixel, double last_pixel)
+        : low_(low), high_(high), first_(first_pixel), last_(last_pixel) {
+        assert(low > 0 && low < high);
+    }
 
-LogScale::LogScale(double low, double high, double first_pixel, double last_pixel)
-    : low_(low), high_(high), first_(first_pixel), last_(last_pixel) {
-    assert(low > 0 && low < high);
-}
+    [[nodiscard]] double place(double value) const {
+        const double part = std::log(std::clamp(value, low_, high_) / low_) / std::log(high_ / low_);
+        return first_ + part * (last_ - first_);
+    }
 
-double LogScale::place(double value) const {
-    const double part = std::log(std::clamp(value, low_, high_) / low_) / std::log(high_ / low_);
-    return first_ + part * (last_ - first_);
-}
+    /// 1, 2 and 5 times powers of ten within the ends; of a wide axis powers of ten alone.
+    [[nodiscard]] std::vector<double> ticks() const {
+        std::vector<double> all;
+        const bool wide = std::log10(high_ / low_) > decades_with_all_ticks;
+        for (int power = static_cast<int>(std::floor(std::log10(low_))); power <= std::log10(high_); ++power)
+            for (const double digit : {1.0, 2.0, 5.0}) {
+                const double tick = digit * std::pow(10.0, power);
+                if ((digit == 1 || !wide) && tick >= low_ && tick <= high_) all.push_back(tick);
+            }
+        return all;
+    }
 
-std::vector<double> LogScale::ticks() const {
-    std::vector<double> all;
-    const bool wide = std::log10(high_ / low_) > decades_with_all_ticks;
-    for (int power = static_cast<int>(std::floor(std::log10(low_))); power <= std::log10(high_); ++power)
-        for (const double digit : {1.0, 2.0, 5.0}) {
-            const double tick = digit * std::pow(10.0, power);
-            if ((digit == 1 || !wide) && tick >= low_ && tick <= high_) all.push_back(tick);
-        }
-    return all;
-}
-
-namespace {
+  private:
+    double low_, high_, first_, last_;
+};
 
 std::string outline(const RankedCell& cell, double x, double y, double size) {
     if (cell.cell->judged())
@@ -55,15 +60,7 @@ std::string outline(const RankedCell& cell, double x, double y, double size) {
                        x - size, y, size, 2 * size, -2 * size);
 }
 
-}  // namespace
-
-std::string mark_text(const RankedCell& cell) {
-    std::string text = fmt::format("{}: {}", cell.name(), ratio_text(cell));
-    if (cell.worst_error) append(text, "error " + number_text(*cell.worst_error, "scale"));
-    if (cell.bytes_per_edge) append(text, number_text(*cell.bytes_per_edge, "B/edge") + " bytes per edge");
-    return text;
-}
-
+/// Returns the mark of a cell, with its name, ratio and error as a tooltip.
 std::string mark_svg(const RankedCell& cell, double x, double y, double size) {
     const std::string_view colour = store::layout_colour(cell.cell->layout);
     return fmt::format("<path d=\"{}\" {}><title>{}</title></path>", outline(cell, x, y, size),
@@ -72,8 +69,6 @@ std::string mark_svg(const RankedCell& cell, double x, double y, double size) {
                            : fmt::format("fill=\"none\" stroke=\"{}\" stroke-opacity=\".8\"", colour),
                        html_text(mark_text(cell)));
 }
-
-namespace {
 
 constexpr double strip_width = 300, strip_height = 34, strip_margin = 8, mark_size = 4;
 constexpr double least_ratio = 0.25, most_ratio = 16;
@@ -108,6 +103,13 @@ std::string strip_label(const SceneRanking& scene) {
 }
 
 }  // namespace
+
+std::string mark_text(const RankedCell& cell) {
+    std::string text = fmt::format("{}: {}", cell.name(), ratio_text(cell));
+    if (cell.worst_error) append(text, "error " + number_text(*cell.worst_error, "scale"));
+    if (cell.bytes_per_edge) append(text, number_text(*cell.bytes_per_edge, "B/edge") + " bytes per edge");
+    return text;
+}
 
 StripAxis strip_axis(const std::vector<const SceneRanking*>& scenes) {
     StripAxis axis;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pictures of ranked cells, drawn by hand, and what they share: marks and a logarithmic axis.
+// Pictures of ranked cells, drawn by hand.
 #pragma once
 
 #include <string>
@@ -10,23 +10,6 @@
 #include "edgewise/reports/answer/ranking.hpp"
 
 namespace edgewise::reports {
-
-/// Values outside the ends are drawn at the ends.
-class LogScale {
-  public:
-    /// 0 < low < high; pixels may run downwards.
-    LogScale(double low, double high, double first_pixel, double last_pixel);
-
-    [[nodiscard]] double place(double value) const;
-    /// 1, 2 and 5 times powers of ten within the ends; of a wide axis powers of ten alone.
-    [[nodiscard]] std::vector<double> ticks() const;
-
-  private:
-    double low_, high_, first_, last_;
-};
-
-/// Returns the mark of a cell, with its name, ratio and error as a tooltip.
-[[nodiscard]] std::string mark_svg(const RankedCell& cell, double x, double y, double size);
 
 /// "V-Clip on aos_f64: 1.05 [1.01, 1.15], error 2.2e-16, 234 bytes per edge"
 [[nodiscard]] std::string mark_text(const RankedCell& cell);

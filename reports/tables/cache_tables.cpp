@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -33,11 +32,6 @@ std::vector<std::string> levels_of(const ReportData& data, const std::string& ma
     std::vector<std::string> levels;
     for (const auto& [is_tlb, level] : found) levels.push_back(level);
     return levels;
-}
-
-double sort_key(const ReportCell& cell) {
-    const measure::Figure lines = cell.figure("reuse.lines_per_query");
-    return lines.value.value_or(std::numeric_limits<double>::infinity());
 }
 
 /// Returns a row for each cell with modelled caches.
@@ -102,8 +96,10 @@ std::vector<const ReportCell*> modelled_cells(const ReportData& data) {
     std::vector<const ReportCell*> cells = verified_cells(data);
     std::erase_if(cells, [](const ReportCell* cell) { return !cell->figure("reuse.line_knee_bytes").value; });
     std::ranges::stable_sort(cells, [](const ReportCell* a, const ReportCell* b) {
-        return std::make_tuple(a->scene_label, a->vertices, b->algorithm, sort_key(*a)) <
-               std::make_tuple(b->scene_label, b->vertices, a->algorithm, sort_key(*b));
+        const double lines_a = or_infinity(*a, "reuse.lines_per_query"),
+                     lines_b = or_infinity(*b, "reuse.lines_per_query");
+        return std::tie(a->scene_label, a->vertices, b->algorithm, lines_a) <
+               std::tie(b->scene_label, b->vertices, a->algorithm, lines_b);
     });
     return cells;
 }
@@ -260,15 +256,6 @@ TextGrid working_sets_grid(const ReportData& data) {
                                     {"lines of half", "heat.lines_of_half_the_accesses"},
                                     {"lines of 90 %", "heat.lines_of_most_accesses"}};
     return cache_grid(data, "Working sets, knees, and what was ever touched", columns);
-}
-
-PolicyCounts policy_counts(const ReportData& data) {
-    PolicyCounts counts;
-    for (const auto& row : policy_grid(data).rows) {
-        counts.pairs += std::stoul(row[5].text);
-        counts.changed += std::stoul(row[6].text);
-    }
-    return counts;
 }
 
 TextGrid policy_grid(const ReportData& data) {

@@ -112,12 +112,6 @@ TextGrid problems_grid(const ReportData& data) {
     return grid;
 }
 
-TextGrid cells_grid(const ReportData& data) {
-    constexpr const char* names =
-        "scene|shape|source|#vertices|#edges|#faces|algorithm|table type|#seed|#queries|status|cell";
-    return cell_grid("", names, std::vector<FigureColumn>(), data.swept());
-}
-
 namespace {
 
 using FactsJson = nlohmann::json;

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace edgewise::reports {
 
@@ -28,6 +29,21 @@ void append(std::string& list, const std::string& part, const char* separator = 
 [[nodiscard]] std::string file_name_of(std::string name);
 /// Returns a file name that is not yet in the set, changed if another name has it already.
 [[nodiscard]] std::string file_name_of(const std::string& name, const std::set<std::string>& taken);
+/// Distinct texts and their places from 0, in order of appearance.
+class DistinctTexts {
+  public:
+    std::size_t place(const std::string& text) {
+        const auto [at, is_new] = places_.emplace(text, texts_.size());
+        if (is_new) texts_.push_back(text);
+        return at->second;
+    }
+    [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+
+  private:
+    std::map<std::string, std::size_t> places_;
+    std::vector<std::string> texts_;
+};
+
 /// Columns that UTF-8 takes on a terminal.
 [[nodiscard]] std::size_t shown_width(const std::string& text);
 /// Text in lines of at most `width` characters, broken at blanks; every line except the first begins

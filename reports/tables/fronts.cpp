@@ -75,10 +75,6 @@ bool FrontPoint::on_any_front() const {
     return std::ranges::any_of(on_front, [](bool on) { return on; });
 }
 
-bool FrontPanel::has_peers() const {
-    return std::ranges::any_of(points, [](const FrontPoint& point) { return point.cell->judged(); });
-}
-
 std::string gap_tolerance_of(const ReportCell& cell) { return cell.axis("gap_tolerance").value_or(""); }
 
 Fronts fronts_of(const ReportData& data) {

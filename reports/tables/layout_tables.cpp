@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -133,10 +132,6 @@ const FigureColumn counter_columns[] = {
     {"slack, B", store::FigureName("heap.{structure}.slack_bytes").of("table")},
     {"resident, B", store::FigureName("heap.{structure}.resident_bytes").of("table")}};
 
-double lines_of(const ReportCell& cell) {
-    return cell.figure(store::lines_read.warm()).value.value_or(std::numeric_limits<double>::infinity());
-}
-
 }  // namespace
 
 std::string reference_scene(const ReportData& data) {
@@ -152,7 +147,8 @@ TextGrid layout_cost_grid(const ReportData& data) {
     const std::string scene = reference_scene(data), shape = reference_shape(data);
     std::vector<const ReportCell*> cells = verified_cells(data, shape, scene);
     std::ranges::stable_sort(cells, [](const ReportCell* a, const ReportCell* b) {
-        return std::make_tuple(b->algorithm, lines_of(*a)) < std::make_tuple(a->algorithm, lines_of(*b));
+        return std::make_tuple(b->algorithm, or_infinity(*a, store::lines_read.warm())) <
+               std::make_tuple(a->algorithm, or_infinity(*b, store::lines_read.warm()));
     });
     return cell_grid(fmt::format("{}, {}, fewest lines first", scene, shape), "algorithm|table type",
                      layout_cost_columns, cells);

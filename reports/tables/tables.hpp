@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,13 +33,15 @@ enum class PairKind { Separated, Overlapping };
 /// Cells that failed, then cells that were unavailable, with their reasons; those of one shape and reason are
 /// a row.
 [[nodiscard]] TextGrid problems_grid(const ReportData& data);
-/// Every cell: what it is and its status.
-[[nodiscard]] TextGrid cells_grid(const ReportData& data);
 
 /// Returns the cells in the data's order, of one shape and of one scene; an empty name means all.
 [[nodiscard]] std::vector<const ReportCell*> verified_cells(const ReportData& data,
                                                             const std::string& shape = {},
                                                             const std::string& scene_label = {});
+/// Returns a figure by which cells are sorted, smallest first: those without it go last.
+[[nodiscard]] inline double or_infinity(const ReportCell& cell, const store::FigureName& figure) {
+    return cell.figure(figure).value.value_or(std::numeric_limits<double>::infinity());
+}
 /// The shape that the short tables and the first view of the charts show: sphere386 if swept, else the
 /// largest.
 [[nodiscard]] std::string reference_shape(const ReportData& data);
@@ -83,11 +86,6 @@ inline constexpr store::FigureName misses_by_field("caches.{machine}.{level}.fie
 /// One line per scene, algorithm and level: whether tree-PLRU or random replacement ranks the tables
 /// otherwise.
 [[nodiscard]] TextGrid policy_grid(const ReportData& data);
-/// Sums over the rows of policy_grid.
-struct PolicyCounts {
-    std::size_t pairs = 0, changed = 0;
-};
-[[nodiscard]] PolicyCounts policy_counts(const ReportData& data);
 
 /// Support queries on a line per vertex next to those on separate arrays, and in one sentence what they say
 /// of the published claim ("up to five times", arXiv 2509.03753).
@@ -116,8 +114,6 @@ struct Drawing {
 [[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
                                  const std::string& shape);
 
-/// Returns true if other libraries were measured.
-[[nodiscard]] bool has_peers(const ReportData& data);
 /// Returns the libraries: version, query, what a pair keeps, flags.
 [[nodiscard]] TextGrid peers_grid(const ReportData& data);
 /// Returns Edgewise and other libraries in one scene, with time and error: by shape, fastest first.
@@ -227,8 +223,6 @@ struct FrontPanel {
     std::string scene_label, shape;
     std::int64_t vertices;
     std::vector<FrontPoint> points;  ///< fastest first
-
-    [[nodiscard]] bool has_peers() const;
 };
 
 struct Fronts {

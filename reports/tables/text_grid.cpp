@@ -11,43 +11,29 @@
 #include <sstream>
 
 #include "edgewise/input/shown_text.hpp"
+#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 
 namespace {
 
-/// The distinct reasons of one table, numbered from 1 in order of appearance.
-class Reasons {
-  public:
-    std::size_t number(const std::string& why) {
-        const auto at = std::ranges::find(texts_, why);
-        if (at != texts_.end()) return static_cast<std::size_t>(at - texts_.begin()) + 1;
-        texts_.push_back(why);
-        return texts_.size();
-    }
-    [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
-
-  private:
-    std::vector<std::string> texts_;
-};
-
-std::string html_cell(const GridCell& cell, bool number, Reasons& reasons) {
+std::string html_cell(const GridCell& cell, bool number, DistinctTexts& reasons) {
     if (!cell.why.empty())
         return fmt::format("<td class=\"missing{}\">{}<sup>{}</sup></td>", number ? " number" : "",
-                           html_text(cell.text), reasons.number(cell.why));
+                           html_text(cell.text), reasons.place(cell.why) + 1);
     return fmt::format("<td{}>{}</td>", number ? " class=\"number\"" : "", html_text(cell.text));
 }
 
-std::string html_reasons(const Reasons& reasons) {
+std::string html_reasons(const DistinctTexts& reasons) {
     if (reasons.texts().empty()) return {};
     std::string out = "<ol class=\"reasons\">\n";
     for (const std::string& why : reasons.texts()) out += fmt::format("<li>{}</li>\n", html_text(why));
     return out + "</ol>\n";
 }
 
-std::string markdown_cell(const GridCell& cell, Reasons& reasons) {
+std::string markdown_cell(const GridCell& cell, DistinctTexts& reasons) {
     if (cell.why.empty()) return markdown_text(cell.text);
-    return fmt::format("{} ({})", markdown_text(cell.text), reasons.number(cell.why));
+    return fmt::format("{} ({})", markdown_text(cell.text), reasons.place(cell.why) + 1);
 }
 
 /// "0", or "0 (28 of 29)": over those that have the figure.
@@ -57,13 +43,13 @@ constexpr std::size_t between = 2;      ///< blanks
 constexpr std::size_t least_last = 24;  ///< characters, of a folded column
 
 /// A row for a terminal; each reason is named once, at the first cell that lacks a value for it.
-std::vector<std::string> text_row(const std::vector<GridCell>& row, Reasons& reasons) {
+std::vector<std::string> text_row(const std::vector<GridCell>& row, DistinctTexts& reasons) {
     std::vector<std::string> texts;
     std::string named;
     for (const GridCell& cell : row) {
         const bool again = cell.why.empty() || cell.why == named;
         if (!again) named = cell.why;
-        texts.push_back(!again              ? fmt::format("- [{}]", reasons.number(cell.why))
+        texts.push_back(!again              ? fmt::format("- [{}]", reasons.place(cell.why) + 1)
                         : !cell.why.empty() ? "-"
                                             : input::shown_line(cell.text));
     }
@@ -151,20 +137,14 @@ GridCell name_cell(const ReportCell& cell, std::string_view name) {
         {"scene", [](const ReportCell& of) { return grid_cell(of.scene_label); }},
         {"shape", [](const ReportCell& of) { return grid_cell(of.shape); }},
         {"family", [](const ReportCell& of) { return grid_cell(of.shape); }},
-        {"source", [](const ReportCell& of) { return grid_cell(of.shape_source); }},
         {"vertices", [](const ReportCell& of) { return grid_cell(of.vertices); }},
-        {"edges", [](const ReportCell& of) { return grid_cell(of.edges); }},
-        {"faces", [](const ReportCell& of) { return grid_cell(of.faces); }},
         {"algorithm", [](const ReportCell& of) { return grid_cell(of.algorithm); }},
         {"table type", [](const ReportCell& of) { return grid_cell(of.table); }},
         {"algorithm or library",
          [](const ReportCell& of) { return grid_cell(of.judged() ? of.layout : of.algorithm); }},
         {"table type or precision",
          [](const ReportCell& of) { return grid_cell(of.judged() ? of.precision : of.table); }},
-        {"seed", [](const ReportCell& of) { return grid_cell(of.seed); }},
-        {"queries", [](const ReportCell& of) { return grid_cell(of.queries); }},
-        {"status", [](const ReportCell& of) { return grid_cell(to_string(of.status)); }},
-        {"cell", [](const ReportCell& of) { return grid_cell(of.hash.substr(0, 12)); }}};
+        {"status", [](const ReportCell& of) { return grid_cell(to_string(of.status)); }}};
     return names.at(name)(cell);
 }
 
@@ -194,7 +174,7 @@ void drop_zero_columns(TextGrid& grid) {
 }
 
 std::string grid_html(const TextGrid& grid, std::size_t most) {
-    Reasons reasons;
+    DistinctTexts reasons;
     std::string out =
         fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"{}\"><table>\n",
                     html_text(grid.caption.empty() ? "table" : grid.caption));
@@ -215,7 +195,7 @@ std::string grid_html(const TextGrid& grid, std::size_t most) {
 }
 
 std::string grid_markdown(const TextGrid& grid) {
-    Reasons reasons;
+    DistinctTexts reasons;
     std::string out = grid.caption.empty() ? "" : fmt::format("*{}*\n\n", markdown_text(grid.caption));
     std::string rule = "|";
     out += "|";
@@ -236,7 +216,7 @@ std::string grid_markdown(const TextGrid& grid) {
 }
 
 std::string grid_text(const TextGrid& grid, std::size_t width) {
-    Reasons reasons;
+    DistinctTexts reasons;
     std::vector<std::vector<std::string>> rows;
     for (const auto& row : grid.rows) rows.push_back(text_row(row, reasons));
     std::vector<std::size_t> widths;

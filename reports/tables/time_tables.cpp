@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -79,11 +78,6 @@ std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
                     cell.figure("time.rounds"));
 }
 
-/// Unmeasured cells go last.
-double rank(const ReportCell& cell, PairKind kind) {
-    return cell.figure(times_of(kind).ns).value.value_or(std::numeric_limits<double>::infinity());
-}
-
 }  // namespace
 
 TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
@@ -95,7 +89,7 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
                    "#95 % interval|#rounds")};
     std::vector<std::pair<double, const ReportCell*>> cells;
     for (const ReportCell* cell : verified_cells(data, shape, scene_label))
-        cells.emplace_back(rank(*cell, kind), cell);
+        cells.emplace_back(or_infinity(*cell, times_of(kind).ns), cell);
     std::ranges::stable_sort(cells, {}, [](const auto& one) {
         return std::tie(one.second->vertices, one.second->shape, one.first);
     });
@@ -104,10 +98,6 @@ TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairK
 }
 
 namespace {
-
-double separated_ns(const ReportCell& cell) {
-    return cell.figure(store::separated_time.ns).value.value_or(std::numeric_limits<double>::infinity());
-}
 
 constexpr std::string_view verdict_alone = "needs=verdict";
 
@@ -129,7 +119,7 @@ std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::s
         }
     }
     std::ranges::stable_sort(
-        cells, [](const ReportCell* a, const ReportCell* b) { return separated_ns(*a) < separated_ns(*b); });
+        cells, {}, [](const ReportCell* cell) { return or_infinity(*cell, store::separated_time.ns); });
     return cells;
 }
 
@@ -178,8 +168,6 @@ std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
 
 }  // namespace
 
-bool has_peers(const ReportData& data) { return !data.peers.empty(); }
-
 TextGrid peers_grid(const ReportData& data) {
     TextGrid grid{"Other libraries", columns_of("adapter|library, query, cache and flags")};
     for (const auto& [key, value] : data.meta) {
@@ -216,18 +204,14 @@ namespace {
 
 constexpr const char* names = "scene|shape|algorithm or library|table type or precision";
 
-double instructions(const ReportCell& row) {
-    return row.figure("effort.instructions").value.value_or(std::numeric_limits<double>::infinity());
-}
-
 /// Rows that were measured at all, by scene and shape; those that were not counted go last.
 std::vector<const ReportCell*> in_order(const ReportData& data) {
     std::vector<const ReportCell*> rows;
     for (const ReportCell& row : data.effort)
         if (row.is_timed()) rows.push_back(&row);
     std::ranges::stable_sort(rows, [](const ReportCell* a, const ReportCell* b) {
-        return std::tuple(a->scene_label, a->vertices, a->shape, instructions(*a)) <
-               std::tuple(b->scene_label, b->vertices, b->shape, instructions(*b));
+        return std::tuple(a->scene_label, a->vertices, a->shape, or_infinity(*a, "effort.instructions")) <
+               std::tuple(b->scene_label, b->vertices, b->shape, or_infinity(*b, "effort.instructions"));
     });
     return rows;
 }

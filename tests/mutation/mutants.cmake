@@ -138,9 +138,13 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
-edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[if (is_scanned(a.table) && is_scanned(b.table)) return]] [[if (false) return]]
+edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return std::max(a.vertex_count(), b.vertex_count()) <= most_scanned;]] [[return false;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[if (start_is_cold(a, b)) {]] [[if (false) {]]
+edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, moved_far};]] [[pair = {a, b, end};]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(far_moves_never_over algorithms/vclip/nearer_start.hpp [[moved_far = start_nearer(a, b) && !is_cold;]] [[moved_far = start_nearer(a, b) || !is_cold;]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[const bool is_cold = start_is_cold(a, b);]] [[const bool is_cold = false;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]
     NearlyParallelEdges.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
@@ -278,9 +282,9 @@ edgewise_mutant(level_sides_of_boxes_overlooked layouts/box.hpp [[== top) best ^
     Box.Finds* ${unit}/layout_parts/box_test.cpp)
 
 # Raw V-Clip
-edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false);]] [[return walk(a, b, nobody, true);]]
+edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false, moved_far);]] [[return walk(a, b, nobody, true, moved_far);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true);]] [[return walk(a, b, nobody, false);]]
+edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true, moved_far);]] [[return walk(a, b, nobody, false, moved_far);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)

@@ -211,7 +211,7 @@ Chapter times_chapter(const Answer& answer, const ReportData& data) {
 
 /// Null if no other library was measured.
 std::optional<Chapter> peers_chapter(const Answer& answer, const ReportData& data) {
-    if (!has_peers(data) && data.effort.empty()) return std::nullopt;
+    if (data.peers.empty() && data.effort.empty()) return std::nullopt;
     Chapter chapter{.id = "peers",
                     .title = "How far are the libraries?",
                     .paragraph = prose("peers.md"),

@@ -204,18 +204,19 @@ std::string peers_sentence(const Answer& answer) {
 }
 
 std::string policy_sentence(const ReportData& data) {
-    const PolicyCounts counts = policy_counts(data);
-    if (counts.pairs == 0) return {};
-    std::size_t pairs = 0, changed = 0;  // under prefetchers
+    std::size_t pairs[2] = {}, changed[2] = {};  // under other policies; under prefetchers
     for (const auto& row : policy_grid(data).rows) {
-        if (!row[3].text.ends_with("/next_line") && !row[3].text.ends_with("/stream")) continue;
-        pairs += std::stoul(row[5].text), changed += std::stoul(row[6].text);
+        const std::string& policy = row[3].text;
+        const bool fetches = policy.ends_with("/next_line") || policy.ends_with("/stream");
+        pairs[fetches] += std::stoul(row[5].text), changed[fetches] += std::stoul(row[6].text);
     }
+    if (pairs[0] + pairs[1] == 0) return {};
     std::string text = fmt::format(
         "Under tree-PLRU or random replacement instead of LRU, {} of {} pairs of tables change places by "
         "misses",
-        counts.changed - changed, counts.pairs - pairs);
-    if (pairs > 0) text += fmt::format("; with a next-line or a stream prefetcher, {} of {}", changed, pairs);
+        changed[0], pairs[0]);
+    if (pairs[1] > 0)
+        text += fmt::format("; with a next-line or a stream prefetcher, {} of {}", changed[1], pairs[1]);
     return text + ".";
 }
 

@@ -36,13 +36,10 @@ std::vector<TextGrid> scene_grids(const ReportData& data, const std::vector<std:
 std::vector<ChapterPart> paper_parts(const ReportData& data) {
     return {
         {"Performance, static", prose("part_static.md"), "", {static_grid(data), static_gap_grid(data)}, {}},
-        {"Performance, dynamic", prose("part_dynamic.md"), dynamic_section,
-         [&] {
-             std::vector<TextGrid> grids = scene_grids(data, {"paper_proximity"});
-             grids.push_back(margin_grid(data));
-             grids.push_back(tolerance_grid(data));
-             return grids;
-         }(),
+        {"Performance, dynamic",
+         prose("part_dynamic.md"),
+         dynamic_section,
+         {file_scene_grid(scene_file(data, "paper_proximity")), margin_grid(data), tolerance_grid(data)},
          scene_grids(data, {"paper_linear_8", "paper_angular_8"})},
         {"Scalability",
          prose("part_scalability.md"),
@@ -58,11 +55,7 @@ std::vector<ChapterPart> paper_parts(const ReportData& data) {
          thrash_paragraph(data),
          thrash_section,
          {realised_grid(data), paging_grid(data)},
-         [&] {
-             std::vector<TextGrid> grids = {mechanism_grid(data), thrash_grid(data)};
-             for (TextGrid& grid : scene_grids(data, {"paper_caches_here"})) grids.push_back(std::move(grid));
-             return grids;
-         }()}};
+         {mechanism_grid(data), thrash_grid(data), file_scene_grid(scene_file(data, "paper_caches_here"))}}};
 }
 
 ChapterPart own_part(const ReportData& data) {

@@ -64,6 +64,18 @@ GridCell ratio_with_pairs(const Sides& sides) {
     return ratio_cell(sum(*sides.gjk), sum(*sides.vclip));
 }
 
+/// The two algorithms on aos_f64, by vertices, shape and a number of the scene.
+auto sides_along(const StoredScene& scene, const char* number) {
+    std::map<std::tuple<std::int64_t, std::string, double>, Sides> found;
+    for (const ReportCell* cell : scene.cells) {
+        const auto value = parameter_of(*cell, number);
+        if (!value || cell->table != "aos_f64") continue;
+        Sides& sides = found[{cell->vertices, cell->shape, *value}];
+        (cell->algorithm == "vclip" ? sides.vclip : sides.gjk) = cell;
+    }
+    return found;
+}
+
 GridCell time_per_step(const ReportCell* cell) {
     return ratio_cell(cell, "time.all_ns", cell, store::mean_steps.cold());
 }
@@ -98,15 +110,8 @@ TextGrid static_gap_grid(const ReportData& data) {
         "times, and the steps and the time of a step that make it",
         columns_of("shape|#gap, body sizes|#V-Clip, ns|#Enhanced GJK, ns|#GJK / V-Clip|#V-Clip's steps|"
                    "#GJK's iterations|#V-Clip, ns per step|#GJK, ns per iteration")};
-    std::map<std::tuple<std::int64_t, std::string, double>, Sides> by_gap;
-    for (const ReportCell* cell : scene_file(data, "paper_static_gap").cells) {
-        const auto gap = parameter_of(*cell, "gap");
-        if (!gap || cell->table != "aos_f64") continue;
-        Sides& sides = by_gap[{cell->vertices, cell->shape, *gap}];
-        (cell->algorithm == "vclip" ? sides.vclip : sides.gjk) = cell;
-    }
     const store::FigureName steps = store::mean_steps.cold();
-    for (const auto& [key, sides] : by_gap) {
+    for (const auto& [key, sides] : sides_along(scene_file(data, "paper_static_gap"), "gap")) {
         const auto& [vertices, shape, gap] = key;
         grid.add(shape, number_text(gap), figure_cell(sides.vclip, "time.all_ns"),
                  figure_cell(sides.gjk, "time.all_ns"), static_ratio_of(sides),
@@ -138,46 +143,23 @@ TextGrid file_scene_grid(const StoredScene& scene) {
     return grid;
 }
 
-namespace {
-
-/// Two cells that differ in one thing, null where one is not stored.
-struct CellPair {
-    const ReportCell *first = nullptr, *second = nullptr;
-};
-
-/// A figure of the first over the same of the second.
-GridCell quotient_of(const CellPair& pair, const store::FigureName& name) {
-    return ratio_cell(pair.first, name, pair.second, name);
-}
-
-void add_margins(const StoredScene& scene, TextGrid& grid) {
-    std::map<std::tuple<std::int64_t, std::string, double>, CellPair> pairs;
-    for (const ReportCell* cell : scene.cells) {
-        const auto margin = parameter_of(*cell, "margin");
-        if (!margin || cell->table != "aos_f64") continue;
-        CellPair& pair = pairs[{cell->vertices, cell->shape, *margin}];
-        (cell->algorithm == "vclip" ? pair.first : pair.second) = cell;
-    }
-    for (const auto& [key, pair] : pairs) {
-        const auto& [vertices, shape, margin] = key;
-        const ReportCell* const any = pair.first ? pair.first : pair.second;
-        grid.add(scene.name, shape, number_text(margin), any->queries,
-                 ratio_cell(any, "error.overlapping", any, "error.checked"),
-                 figure_cell(any, "work.first_share"), figure_cell(pair.first, store::all_time.ns),
-                 figure_cell(pair.second, store::all_time.ns), quotient_of(pair, store::all_time.ratio));
-    }
-}
-
-}  // namespace
-
 TextGrid margin_grid(const ReportData& data) {
     TextGrid grid{
         "What the margin of the boxes decides (aos_f64, all pairs as they come; of followed pairs "
         "the queries that start warm)",
         columns_of("scene|shape|#margin, box diagonals|#queries|#overlapping, of checked|"
                    "#first queries, of all|#V-Clip, ns|#Enhanced GJK, ns|#V-Clip / GJK")};
-    for (const char* name : {"paper_margin", "paper_static_margin"})
-        add_margins(scene_file(data, name), grid);
+    for (const char* name : {"paper_margin", "paper_static_margin"}) {
+        for (const auto& [key, sides] : sides_along(scene_file(data, name), "margin")) {
+            const auto& [vertices, shape, margin] = key;
+            const ReportCell* const any = sides.vclip ? sides.vclip : sides.gjk;
+            grid.add(name, shape, number_text(margin), any->queries,
+                     ratio_cell(any, "error.overlapping", any, "error.checked"),
+                     figure_cell(any, "work.first_share"), figure_cell(sides.vclip, store::all_time.ns),
+                     figure_cell(sides.gjk, store::all_time.ns),
+                     ratio_cell(sides.vclip, store::all_time.ratio, sides.gjk, store::all_time.ratio));
+        }
+    }
     return grid;
 }
 
@@ -185,11 +167,12 @@ TextGrid tolerance_grid(const ReportData& data) {
     TextGrid grid{"The paper's tolerance of 1e-5 and none (aos_f64; queries that start warm)",
                   columns_of("shape|#rad per step|algorithm|#ns, none|#ns, 1e-5|#1e-5 / none|#steps, none|"
                              "#steps, 1e-5|#separated, none|#separated, 1e-5|#wrong verdicts, 1e-5")};
-    std::map<std::tuple<std::int64_t, std::string, double, std::string>, CellPair> pairs;
+    using WithAndWithout = std::pair<const ReportCell*, const ReportCell*>;  // null where not stored
+    std::map<std::tuple<std::int64_t, std::string, double, std::string>, WithAndWithout> pairs;
     for (const ReportCell* cell : scene_file(data, "paper_tolerance").cells) {
         const auto step = parameter_of(*cell, "rotation_step");
         if (!step) continue;
-        CellPair& pair = pairs[{cell->vertices, cell->shape, *step, cell->algorithm}];
+        WithAndWithout& pair = pairs[{cell->vertices, cell->shape, *step, cell->algorithm}];
         (cell->axes.empty() ? pair.second : pair.first) = cell;
     }
     for (const auto& [key, pair] : pairs) {
@@ -200,9 +183,9 @@ TextGrid tolerance_grid(const ReportData& data) {
         const auto [ns, ns_with] = both(store::all_time.ns);
         const auto [steps, steps_with] = both(store::mean_steps.warm());
         const auto [separated, separated_with] = both("error.separated");
-        grid.add(shape, number_text(step), algorithm, ns, ns_with, quotient_of(pair, store::all_time.ratio),
-                 steps, steps_with, separated, separated_with,
-                 figure_cell(pair.first, "error.wrong_verdicts"));
+        grid.add(shape, number_text(step), algorithm, ns, ns_with,
+                 ratio_cell(pair.first, store::all_time.ratio, pair.second, store::all_time.ratio), steps,
+                 steps_with, separated, separated_with, figure_cell(pair.first, "error.wrong_verdicts"));
     }
     return grid;
 }

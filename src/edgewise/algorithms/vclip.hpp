@@ -134,10 +134,11 @@ template <class TableA, class TableB>
     return std::nullopt;
 }
 
-/// Walks to the closest features. `hardened`: as in QueryOptions.
+/// Walks to the closest features. `hardened`: as in QueryOptions; `moved_far`: as in FeaturePair.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened) {
-    [[maybe_unused]] const int far_off = hardened ? start_nearer_if_cold(a, b) : 0;
+[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
+                            [[maybe_unused]] bool& moved_far) {
+    [[maybe_unused]] const int far_off = hardened ? start_nearer_if_far(a, b, moved_far) : 0;
     CycleGuard guard(a.feature, b.feature);
     int steps = 1, escapes = 0;
     const auto ended = [&](Distance result, bool cycle) {
@@ -148,7 +149,10 @@ template <class TableA, class TableB, class Observer>
     };
     for (;; ++steps) {
         if constexpr (may_start_nearer<TableA, TableB>) {
-            if (steps == far_off && start_nearer(a, b)) guard = CycleGuard(a.feature, b.feature);
+            if (steps == far_off) {
+                moved_far = start_nearer_on_the_way(a, b);
+                guard = CycleGuard(a.feature, b.feature);
+            }
         }
         observer.visit(a.feature.kind(), b.feature.kind());
         if (hardened) {
@@ -169,21 +173,22 @@ template <class TableA, class TableB, class Observer>
 
 /// One run with everything inlined, as a symbol of its own, for the reasons given at run_gjk.
 template <class TableA, class TableB>
-[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b) {
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b, bool& moved_far) {
     NoObserver nobody;
-    return walk(a, b, nobody, true);
+    return walk(a, b, nobody, true, moved_far);
 }
 
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] [[gnu::noinline]] Distance run_observed(Body<TableA>& a, Body<TableB>& b, Observer& observer,
-                                                      bool hardened) {
-    return walk(a, b, observer, hardened);
+                                                      bool hardened, bool& moved_far) {
+    return walk(a, b, observer, hardened, moved_far);
 }
 
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
-    return walk(a, b, nobody, false);
+    bool moved_far = false;
+    return walk(a, b, nobody, false, moved_far);
 }
 
 /// Passes a pose to GJK where V-Clip's two frames may disagree too much, because R is not orthogonal.
@@ -226,17 +231,17 @@ struct VClip {
         if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
             if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
             if (options.hardened)
-                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b) {
+                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, bool&) {
                     return vclip::handed_on(body_a, body_b, observer);
                 });
         }
-        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b) {
+        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, bool& moved_far) {
             if constexpr (is_looked_at<TableA, Observer>)
-                return vclip::run_observed(body_a, body_b, observer, options.hardened);
+                return vclip::run_observed(body_a, body_b, observer, options.hardened, moved_far);
             else if (!options.hardened) [[unlikely]]
                 return vclip::run_raw(body_a, body_b);
             else
-                return vclip::run(body_a, body_b);
+                return vclip::run(body_a, body_b, moved_far);
         });
     }
 
@@ -251,9 +256,13 @@ struct VClip {
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
-        const Distance result = run(body_a, body_b);
+        bool moved_far = pair.moved_far();
+        const Distance result = run(body_a, body_b, moved_far);
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        if (!(end == start) || !pair.belongs_to(a, b)) pair = {a, b, end};
+        if (!(end == start) || !pair.belongs_to(a, b))
+            pair = {a, b, end, moved_far};
+        else if (pair.moved_far())
+            pair = {a, b, end};
         return within(options, result);
     }
 };

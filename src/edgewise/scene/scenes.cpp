@@ -71,8 +71,7 @@ Result<SceneParameters> complete_parameters(std::string_view scene, const SceneP
     SceneParameters complete;
     for (const ParameterInfo& parameter : info.parameters) complete[parameter.name] = parameter.standard;
     for (const auto& [name, value] : given) {
-        const auto known = std::find_if(info.parameters.begin(), info.parameters.end(),
-                                        [&name = name](const ParameterInfo& p) { return p.name == name; });
+        const auto known = std::ranges::find(info.parameters, name, &ParameterInfo::name);
         if (known == info.parameters.end()) {
             return Failure::failure(fmt::format("scene '{}': {}", scene,
                                                 unknown_name("parameter", name, names_of(info.parameters))));

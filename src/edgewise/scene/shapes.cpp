@@ -49,8 +49,7 @@ std::optional<std::size_t> count_in(std::string_view name, std::string_view pref
 
 Result<Polyhedron> make_sphere(std::string_view name, std::size_t count, const Vec3d& half_axes) {
     const std::vector<SphereSize> sizes = sphere_sizes();
-    const auto above = std::find_if(sizes.begin(), sizes.end(),
-                                    [count](const SphereSize& size) { return size.vertices() >= count; });
+    const auto above = std::ranges::lower_bound(sizes, count, {}, &SphereSize::vertices);
     if (above != sizes.end() && above->vertices() == count) {
         std::vector<Vec3d> points = sphere_points(*above);
         for (Vec3d& point : points) point = point.cwiseProduct(half_axes);

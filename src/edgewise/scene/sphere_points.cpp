@@ -65,8 +65,7 @@ std::vector<SphereSize> sphere_sizes() {
     for (const SphereFamily family : {SphereFamily::octahedral, SphereFamily::cubic}) {
         for (SphereSize size{family, 1}; size.vertices() <= largest_sphere; ++size.k) sizes.push_back(size);
     }
-    std::sort(sizes.begin(), sizes.end(),
-              [](const SphereSize& a, const SphereSize& b) { return a.vertices() < b.vertices(); });
+    std::ranges::sort(sizes, {}, &SphereSize::vertices);
     return sizes;
 }
 

@@ -80,30 +80,20 @@ Result<measure::LinesTouched> lines_in_tumble(const bench::TableType& type, cons
 std::vector<WidthSlope> slopes_by_width(const bench::TableType& type, Parts parts) {
     std::vector<WidthSlope> slopes;
     for (const WidthRange& range : width_ranges) {
+        WidthSlope& slope = slopes.emplace_back(WidthSlope{
+            range.offset_bits, range.neighbour_bits, range.vertices.front(), range.vertices.back(), {}, {}});
         std::vector<double> edges, bytes;
-        std::string refused;
         for (const std::size_t vertices : range.vertices) {
             const auto stored = type.stored_body(sphere(vertices));
             if (!stored) {
-                refused = stored.error;
+                slope.reason = stored.error;
                 continue;
             }
             edges.push_back(static_cast<double>(stored->edge_count()));
             bytes.push_back(static_cast<double>(type.ledger(*stored, parts).total()));
         }
-        if (!refused.empty()) {
-            slopes.push_back({range.offset_bits, range.neighbour_bits, range.vertices.front(),
-                              range.vertices.back(), std::nullopt, refused});
-            continue;
-        }
-        const auto line = measure::least_squares(edges, bytes);
-        if (!line) throw std::logic_error("three sizes make a line");
-        slopes.push_back({range.offset_bits,
-                          range.neighbour_bits,
-                          range.vertices.front(),
-                          range.vertices.back(),
-                          line->slope,
-                          {}});
+        if (slope.reason.empty())  // three sizes make a line
+            slope.bytes_per_edge = measure::least_squares(edges, bytes).value().slope;
     }
     return slopes;
 }

@@ -32,8 +32,7 @@ constexpr const char* drawn_shape = "cube8";
 /// has.
 const bench::TableType& baseline_type() {
     const auto types = bench::table_types();
-    const auto found = std::find_if(types.begin(), types.end(),
-                                    [](const bench::TableType& type) { return type.name == baseline_table; });
+    const auto found = std::ranges::find(types, baseline_table, &bench::TableType::name);
     return found != types.end() ? *found : types.front();
 }
 

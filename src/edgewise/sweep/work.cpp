@@ -63,8 +63,7 @@ void check_names(const SceneChoice& choice, const std::vector<const scene::Named
         if (name != "all") names.push_back(name);
     }
     for (const std::string& name : names) {
-        const auto is_it = [&](const scene::NamedShape* shape) { return shape->name == name; };
-        if (std::any_of(found.begin(), found.end(), is_it)) continue;
+        if (std::ranges::find(found, name, &scene::NamedShape::name) != found.end()) continue;
         static_cast<void>(scene::make_shape(name).or_throw());
     }
 }

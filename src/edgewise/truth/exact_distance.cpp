@@ -89,8 +89,7 @@ class NormalCone {
 
   private:
     [[nodiscard]] bool admits(const IntegerVec& ray) const {
-        return std::all_of(points_.begin(), points_.end(),
-                           [&](const IntegerVec& p) { return sgn(dot(ray, p)) >= 0; });
+        return std::ranges::all_of(points_, [&](const IntegerVec& p) { return sgn(dot(ray, p)) >= 0; });
     }
 
     std::vector<IntegerVec> points_;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -63,29 +64,58 @@ TEST(NearerStart, ShortensColdWalks) { expect_short_walks<aos<f64>>(1e-13); }
 TEST(NearerStart, FromSeedsInSingle) { expect_short_walks<lean_seeds<f32>>(1e-4); }
 TEST(NearerStart, OverPointers) { expect_short_walks<linked<f64>>(1e-13); }
 
-/// A pair that is asked in any pose after any other: its last features are no start.
-TEST(NearerStart, ShortensLongWalksOverScannedBodies) {
-    using Table = aos<f64>;
-    const Table table(*scene::make_shape("sphere38"), Parts::features);
+struct FarSteps {
+    int queries = 0, steps = 0, raw = 0, far = 0;
+    double worst = 0;  ///< difference of distances
+};
+
+/// Asks one pair and one of raw V-Clip in pose after pose.
+template <class Table, class NextRotation>
+FarSteps ask_moving(const char* shape, NextRotation next) {
+    const Table table(*scene::make_shape(shape), Parts::features);
     scene::Rng rng(23);
     FeaturePair<Table, Table> pair(table, table), raw_pair(table, table);
-    int queries = 0, steps = 0, raw_steps = 0;
-    double worst = 0;
+    FarSteps all;
+    Transform<double> pose{rng.rotation(), Vec3d(2.4, 0, 0)};
     for (int i = 0; i < 1000; ++i) {
-        const Transform<double> pose{rng.rotation(), rng.on_sphere() * rng.uniform(1.8, 4)};
+        pose.rotation = next(rng, pose.rotation);
         const Distance answer = VClip::query(table, table, pose, pair);
         const Distance raw = VClip::query(table, table, pose, raw_pair, {.hardened = false});
         if (answer.status != Status::separated || raw.status != Status::separated || raw.cycles > 0) continue;
-        ++queries;
-        steps += answer.steps;
-        raw_steps += raw.steps;
-        worst = std::max(worst, std::abs(answer.distance - raw.distance));
+        ++all.queries;
+        all.steps += answer.steps;
+        all.raw += raw.steps;
+        all.far += pair.moved_far();
+        all.worst = std::max(all.worst, std::abs(answer.distance - raw.distance));
     }
-    std::printf("%d queries, steps %.2f, raw %.2f, worst difference %.3g\n", queries, 1.0 * steps / queries,
-                1.0 * raw_steps / queries, worst);
-    EXPECT_GT(queries, 500);
-    EXPECT_LT(steps, 0.8 * raw_steps);
-    EXPECT_LT(worst, 1e-13);
+    std::printf("%s: %d queries, steps %.2f, raw %.2f, %d moved far, worst difference %.3g\n", shape,
+                all.queries, 1.0 * all.steps / all.queries, 1.0 * all.raw / all.queries, all.far, all.worst);
+    EXPECT_GT(all.queries, 500);
+    EXPECT_LT(all.worst, 1e-13);
+    return all;
+}
+
+/// In any pose the last features are no start. The pair knows after the first long walk.
+TEST(NearerStart, ShortensWalksInAnyPose) {
+    for (const char* shape : {"cube8", "sphere38"}) {
+        const auto any = [](scene::Rng& rng, const Mat3d&) { return rng.rotation(); };
+        const FarSteps all = ask_moving<aos<f64>>(shape, any);
+        EXPECT_LT(all.steps, 0.6 * all.raw);
+        EXPECT_GT(all.far, 0.8 * all.queries);
+    }
+}
+
+/// Bodies that hardly turn start from their last features, also after a large turn.
+TEST(NearerStart, IsNotLookedForAfterSmallMotion) {
+    for (const char* shape : {"cube8", "sphere38"}) {
+        int turns = 0;
+        const auto small = [&](scene::Rng& rng, const Mat3d& before) -> Mat3d {
+            if (++turns % 100 == 1) return rng.rotation();
+            return Eigen::AngleAxisd(0.01, rng.on_sphere()).toRotationMatrix() * before;
+        };
+        const FarSteps all = ask_moving<aos<f64>>(shape, small);
+        EXPECT_LT(all.far, 0.05 * all.queries);
+    }
 }
 
 /// The bodies' nearer features stay, wherever they lie.

@@ -37,7 +37,8 @@ TEST(PairCache, TakesFewBytes) {
     EXPECT_EQ(sizeof(SimplexPair<lean<f32>, lean<f32>>), 32U);
     EXPECT_EQ(sizeof(FeaturePair<aos<f64>, aos<f64>>), 8U);
     EXPECT_EQ(sizeof(FeaturePair<lean<f32>, lean<f32>>), 8U);
-    EXPECT_EQ(sizeof(FeaturePair<linked<f64>, linked<f64>>), 32U) << "two addresses, each with its note";
+    EXPECT_EQ(sizeof(FeaturePair<linked<f64>, linked<f64>>), 40U)
+        << "two addresses, each with its note, and a flag";
 }
 
 TEST(PairCache, HoldsWhatWasPutIn) {

@@ -6,6 +6,7 @@
 // (layout_parts/seeds.hpp) in a few steps. Departure: the report starts anywhere.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "edgewise/algorithms/support.hpp"
@@ -27,13 +28,14 @@ template <class Table>
     return body.table.tail((*body.table.ring_of_face(body.feature.face()).begin()).edge);
 }
 
-/// A warm run that has not ended by this step counts as started far off, over tables with seeds and of bodies
-/// that are scanned, if both have more vertices than most_walked. Time at 0.1 / 1 rad per step / in any pose:
-/// lean_seeds_f64 at 386 vertices over that with 4, a Zen 3 with other load, 0.98 / 1.03 / 1.03; with 8 0.92
-/// / 1.17 / 1.14. aos_f64 on spheres of 38 vertices over never, a Xeon with AVX-512, 1.00 / 0.89 / 0.58; with
-/// 3 1.09 / 0.75 / 0.49; at 8 vertices with 3 1.01 / 1.21 / 0.88. Without seeds a climb from far off costs
-/// too much of the gain: aos_f64 at 386 vertices and 0.1 rad took 1.14.
-inline constexpr int steps_before_search = 5;
+/// A warm run that takes more steps than this started far off, over tables with seeds and of bodies that are
+/// scanned: the pair's next query looks for a nearer start first, and goes on doing so until there is none.
+/// If both bodies have more vertices than most_walked, the run itself looks for one, too. Time of aos_f64
+/// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 1.04 /
+/// 0.88 / 0.60, spheres of 38 vertices 1.02 / 0.61 / 0.65, a mesh of 44 vertices 1.05 / 0.94 / 0.80. On its
+/// way alone, after three steps, boxes took 1.01 / 1.21 / 0.88. Without seeds a climb from far off costs too
+/// much of the gain: aos_f64 at 386 vertices and 0.1 rad took 1.14.
+inline constexpr int steps_before_search = 4;
 inline constexpr std::size_t most_walked = 16;
 
 template <class TableA, class TableB>
@@ -70,24 +72,33 @@ template <class TableA, class TableB>
     return true;
 }
 
-/// Moves a pair that starts cold to a nearer start. Returns the step before which its run looks for a start
-/// later; 0: never.
+/// Returns true if a search finds nearer starts of both tables in little time.
 template <class TableA, class TableB>
-[[nodiscard]] int start_nearer_if_cold([[maybe_unused]] Body<TableA>& a, [[maybe_unused]] Body<TableB>& b) {
+[[nodiscard]] bool are_searched([[maybe_unused]] const TableA& a, [[maybe_unused]] const TableB& b) {
+    if constexpr (have_seeds<TableA, TableB>) return true;
+    if constexpr (CountedTable<TableA> && CountedTable<TableB>)
+        return std::max(a.vertex_count(), b.vertex_count()) <= most_scanned;
+    return false;
+}
+
+/// Moves a pair that starts cold, or moved far before, to a nearer start. Returns the step before which its
+/// run is known to have moved far; 0: never.
+template <class TableA, class TableB>
+[[nodiscard]] int start_nearer_if_far([[maybe_unused]] Body<TableA>& a, [[maybe_unused]] Body<TableB>& b,
+                                      [[maybe_unused]] bool& moved_far) {
     if constexpr (may_start_nearer<TableA, TableB>) {
-        if (start_is_cold(a, b)) {
-            (void)start_nearer(a, b);
-            return 0;
-        }
-    }
-    if constexpr (have_seeds<TableA, TableB>) return 1 + steps_before_search;
-    if constexpr (CountedTable<TableA> && CountedTable<TableB>) {
-        const auto is_scanned = [](const auto& table) {
-            return table.vertex_count() > most_walked && table.vertex_count() <= most_scanned;
-        };
-        if (is_scanned(a.table) && is_scanned(b.table)) return 1 + steps_before_search;
+        const bool is_cold = start_is_cold(a, b);
+        if (is_cold || moved_far) moved_far = start_nearer(a, b) && !is_cold;
+        if (!is_cold && !moved_far && are_searched(a.table, b.table)) return 1 + steps_before_search;
     }
     return 0;
+}
+
+/// A run that has moved far looks for a nearer start where its walk would be long. Returns false if it is at
+/// the nearest.
+template <class TableA, class TableB>
+[[nodiscard]] bool start_nearer_on_the_way(Body<TableA>& a, Body<TableB>& b) {
+    return std::min(a.table.vertex_count(), b.table.vertex_count()) <= most_walked || start_nearer(a, b);
 }
 
 }  // namespace edgewise::vclip

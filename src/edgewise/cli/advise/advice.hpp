@@ -69,9 +69,6 @@ struct Advice {
     std::vector<std::string> not_asked;  ///< what else was left out, and why
 };
 
-/// Sentences on what would change the advice; none where nothing is taken.
-[[nodiscard]] std::vector<std::string> changes_of(const Advice& advice);
-
 [[nodiscard]] std::string advice_text(const Advice& advice);
 [[nodiscard]] nlohmann::json advice_json(const Advice& advice);
 

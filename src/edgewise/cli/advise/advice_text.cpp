@@ -170,8 +170,7 @@ std::string nothing_text(const Advice& advice) {
                        advice.race.problem, cells.front().name(), cells.front().ns);
 }
 
-}  // namespace
-
+/// Sentences on what would change the advice; none where nothing is taken.
 std::vector<std::string> changes_of(const Advice& advice) {
     const RankedCell* const taken = advice.race.taken();
     if (!taken) return {};
@@ -179,6 +178,8 @@ std::vector<std::string> changes_of(const Advice& advice) {
         advice.asked, advice.screen, advice.other_tables,
         {taken->name(), taken->bytes_per_edge.value_or(0), taken->worst_error.value_or(0)});
 }
+
+}  // namespace
 
 std::string advice_text(const Advice& advice) {
     std::string text = sentence_of(advice.asked) + "\n\n";

@@ -36,6 +36,22 @@ std::vector<const CLI::Option*> options_of(const CLI::App& command) {
     return options;
 }
 
+/// Options of a command that --help shows, as "--shape"; every name of each.
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options_of(command))
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// Names of the commands directly below that --help lists.
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        if (!command->get_group().empty()) names.push_back(command->get_name());
+    return names;
+}
+
 /// "--shape, --mesh", or "store".
 std::string names_of(const CLI::Option& option) { return replaced(option.get_name(true, true), ",", ", "); }
 
@@ -201,20 +217,6 @@ std::string examples_of(const std::string& path) {
         text += fmt::format("\nA case, one per line (faces, poses, R and t may be left out):\n  {}\n",
                             scene::case_template);
     return text;
-}
-
-std::vector<std::string> option_names(const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : options_of(command))
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
-std::vector<std::string> command_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
-        if (!command->get_group().empty()) names.push_back(command->get_name());
-    return names;
 }
 
 std::string manual_text(const CLI::App& app, const std::string& name) {

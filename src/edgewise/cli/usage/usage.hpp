@@ -6,18 +6,12 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 namespace edgewise::cli {
 
 /// Returns one line on what is wrong with a command line, which known name was probably meant, and what
 /// there is. For CLI::App::failure_message.
 [[nodiscard]] std::string one_line(const CLI::App* app, const CLI::Error& problem);
-
-/// Options of a command that --help shows, as "--shape"; every name of each.
-[[nodiscard]] std::vector<std::string> option_names(const CLI::App& command);
-/// Names of the commands directly below that --help lists.
-[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
 
 /// examples.json.
 extern const char* const example_texts;

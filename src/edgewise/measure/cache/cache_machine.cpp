@@ -252,8 +252,7 @@ double CacheMachine::memory_ns(std::span<const LevelCounts> counts) const {
 
 bool CacheMachine::latencies_known() const {
     return clock_mhz > 0 && memory.latency_cycles > 0 &&
-           std::all_of(origins.begin(), origins.end(),
-                       [](const LevelOrigin& origin) { return origin.latency_cycles > 0; });
+           std::ranges::all_of(origins, [](const LevelOrigin& origin) { return origin.latency_cycles > 0; });
 }
 
 bool CacheMachine::latencies_proved() const {

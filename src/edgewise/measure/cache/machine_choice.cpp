@@ -175,9 +175,8 @@ std::vector<MachineChoice> choose_machines(std::span<const std::string> names) {
     for (const std::string& name : joined_level_sizes(names)) {
         MachineChoice choice{name, machine_of(name)};
         if (choice.machine.value) choice.name = choice.machine.value->name;
-        const bool twice = std::any_of(choices.begin(), choices.end(),
-                                       [&](const MachineChoice& other) { return other.name == choice.name; });
-        if (twice) throw std::invalid_argument(fmt::format("two machines are called '{}'", choice.name));
+        if (std::ranges::find(choices, choice.name, &MachineChoice::name) != choices.end())
+            throw std::invalid_argument(fmt::format("two machines are called '{}'", choice.name));
         choices.push_back(std::move(choice));
     }
     return choices;

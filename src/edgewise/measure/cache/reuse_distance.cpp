@@ -73,8 +73,7 @@ void ReuseDistance::compact() {
     for (std::uint64_t line = 0; line < last_use_.size(); ++line) {
         if (last_use_[line] != 0) lines.push_back(line);
     }
-    std::sort(lines.begin(), lines.end(),
-              [this](std::uint64_t a, std::uint64_t b) { return last_use_[a] < last_use_[b]; });
+    std::ranges::sort(lines, {}, [this](std::uint64_t line) { return last_use_[line]; });
     words_.assign(std::max(first_words, 3 * lines.size() / word_bits + 1), 0);
     tree_.assign(words_.size() + 1, 0);
     for (now_ = 0; now_ < lines.size(); ++now_) {

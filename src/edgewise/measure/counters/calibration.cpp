@@ -33,8 +33,7 @@ double modelled_misses(const CacheMachine& machine, std::size_t level, std::uint
 
 void count(RandomChase& chase, std::uint64_t loads, const Cpu& cpu, CalibrationRow& row) {
     const CountedPass counted = count_pass([&] { chase.run(loads); }, loads, cpu);
-    const auto found = std::find_if(counted.records.begin(), counted.records.end(),
-                                    [&](const PassRecord& record) { return record.event == row.event; });
+    const auto found = std::ranges::find(counted.records, row.event, &PassRecord::event);
     if (found == counted.records.end()) {
         row.reason = "no such event is known";
         return;

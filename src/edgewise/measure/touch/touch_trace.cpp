@@ -18,9 +18,7 @@ void Structure::book(const std::string& component, std::uint64_t bytes) {
 }
 
 void Structure::put(const Stretch& stretch) {
-    const auto behind =
-        std::upper_bound(stretches_.begin(), stretches_.end(), stretch.from,
-                         [](std::uintptr_t from, const Stretch& other) { return from < other.from; });
+    const auto behind = std::ranges::upper_bound(stretches_, stretch.from, {}, &Stretch::from);
     const auto overlap = [&](const Stretch& other) {
         refuse(fmt::format("the arrays '{}' and '{}' overlap: add each byte once", other.name, stretch.name));
     };
@@ -52,9 +50,7 @@ void Structure::add_memory(const std::string& name, const void* at, std::size_t 
 
 std::optional<std::uint64_t> Structure::place_of(const void* address, std::size_t bytes) const {
     const auto from = reinterpret_cast<std::uintptr_t>(address);
-    const auto behind =
-        std::upper_bound(stretches_.begin(), stretches_.end(), from,
-                         [](std::uintptr_t at, const Stretch& stretch) { return at < stretch.from; });
+    const auto behind = std::ranges::upper_bound(stretches_, from, {}, &Stretch::from);
     if (behind == stretches_.begin()) return std::nullopt;
     const Stretch& in = *std::prev(behind);
     if (from >= in.to || bytes > in.to - from) return std::nullopt;

@@ -91,18 +91,14 @@ struct Box3d {
         input.proxyB = b.proxy();
         input.transform = b3InvMulWorldTransforms(at_a.transform, at_b.transform);
         input.useRadii = false;
-        PeerAnswer answer;
-        if (verdict_alone && a.hull() && b.hull()) {
-            answer.separated = !collide(*a.hull(), *b.hull(), input.transform, cache.axis);
-            return answer;
-        }
+        if (verdict_alone && a.hull() && b.hull())
+            return {.separated = !collide(*a.hull(), *b.hull(), input.transform, cache.axis)};
         const b3DistanceOutput found = b3ShapeDistance(&input, &cache.simplex, nullptr, 0);
-        answer.separated = found.distance > 0;
-        if (!answer.separated) return answer;
-        answer.distance = found.distance;
-        answer.point_a = to_world(at_a, found.pointA);
-        answer.point_b = to_world(at_a, found.pointB);
-        return answer;
+        if (!(found.distance > 0)) return {};
+        return {.separated = true,
+                .distance = found.distance,
+                .point_a = to_world(at_a, found.pointA),
+                .point_b = to_world(at_a, found.pointB)};
     }
 };
 

@@ -31,14 +31,12 @@ struct BulletEpa2 {
         btGjkEpaSolver2::sResults found;
         const bool separated =
             btGjkEpaSolver2::Distance(&a.hull, at_a.transform, &b.hull, at_b.transform, guess, found);
-        PeerAnswer answer;
-        answer.separated = separated && found.distance > 0;
-        if (!answer.separated) return answer;
+        if (!separated || !(found.distance > 0)) return {};
         cache = {found.witnesses[0] - found.witnesses[1], true};
-        answer.distance = found.distance;
-        answer.point_a = from_bullet(found.witnesses[0]);
-        answer.point_b = from_bullet(found.witnesses[1]);
-        return answer;
+        return {.separated = true,
+                .distance = found.distance,
+                .point_a = from_bullet(found.witnesses[0]),
+                .point_b = from_bullet(found.witnesses[1])};
     }
 };
 

@@ -32,13 +32,11 @@ struct BulletPairDetector {
         input.m_transformB = at_b.transform;
         btPointCollector found;
         detector.getClosestPointsNonVirtual(input, found, nullptr);
-        PeerAnswer answer;
-        answer.separated = found.m_hasResult && found.m_distance > 0;
-        if (!answer.separated) return answer;
-        answer.distance = found.m_distance;
-        answer.point_b = from_bullet(found.m_pointInWorld);
-        answer.point_a = from_bullet(found.m_pointInWorld + found.m_normalOnBInWorld * found.m_distance);
-        return answer;
+        if (!found.m_hasResult || !(found.m_distance > 0)) return {};
+        return {.separated = true,
+                .distance = found.m_distance,
+                .point_a = from_bullet(found.m_pointInWorld + found.m_normalOnBInWorld * found.m_distance),
+                .point_b = from_bullet(found.m_pointInWorld)};
     }
 };
 

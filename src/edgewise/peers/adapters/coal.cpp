@@ -70,15 +70,11 @@ struct Coal {
         const double distance = asked.shapeDistance(a.convex, at_a.transform, b.convex, at_b.transform, false,
                                                     point_a, point_b, normal);
         cache = {asked.cached_guess, asked.support_func_cached_guess};
-        PeerAnswer answer;
-        answer.answered = asked.gjk.status != Status::Failed;
-        answer.separated = asked.gjk.status == Status::NoCollisionEarlyStopped ||
-                           (asked.gjk.status == Status::NoCollision && distance > 0);
-        if (verdict_alone || !answer.separated) return answer;
-        answer.distance = distance;
-        answer.point_a = point_a;
-        answer.point_b = point_b;
-        return answer;
+        const bool separated = asked.gjk.status == Status::NoCollisionEarlyStopped ||
+                               (asked.gjk.status == Status::NoCollision && distance > 0);
+        if (verdict_alone || !separated)
+            return {.answered = asked.gjk.status != Status::Failed, .separated = separated};
+        return {.separated = true, .distance = distance, .point_a = point_a, .point_b = point_b};
     }
 };
 

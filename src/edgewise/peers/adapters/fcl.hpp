@@ -44,15 +44,10 @@ template <class Solver>
                                  const FclShape& b, const FclPlaced& at_b) {
     double distance = 0;
     fcl::Vector3d point_a, point_b;
-    PeerAnswer answer;
-    answer.separated = solver.shapeDistance(a.convex, at_a.transform, b.convex, at_b.transform, &distance,
-                                            &point_a, &point_b) &&
-                       distance > 0;
-    if (!answer.separated) return answer;
-    answer.distance = distance;
-    answer.point_a = point_a;
-    answer.point_b = point_b;
-    return answer;
+    const bool separated = solver.shapeDistance(a.convex, at_a.transform, b.convex, at_b.transform, &distance,
+                                                &point_a, &point_b);
+    if (!separated || !(distance > 0)) return {};
+    return {.separated = true, .distance = distance, .point_a = point_a, .point_b = point_b};
 }
 
 }  // namespace edgewise::peers

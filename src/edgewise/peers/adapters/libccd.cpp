@@ -61,9 +61,7 @@ struct Libccd {
         settings.support1 = settings.support2 = support;
         settings.max_iterations = 100;
         const Body body_a{&a, &at_a.pose}, body_b{&b, &at_b.pose};
-        PeerAnswer answer;
-        answer.separated = ccdGJKIntersect(&body_a, &body_b, &settings) == 0;
-        return answer;
+        return {.separated = ccdGJKIntersect(&body_a, &body_b, &settings) == 0};
     }
 };
 

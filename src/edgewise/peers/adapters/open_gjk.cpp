@@ -76,17 +76,12 @@ struct OpenGjk {
         simplex.nvrtx = 0;
         const gkFloat distance =
             compute_minimum_distance(world_a.place(a, at_a), world_b.place(b, at_b), &simplex);
-        PeerAnswer answer;
-        answer.separated = distance > 0;
-        if (!answer.separated) return answer;
+        if (!(distance > 0)) return {};
         const auto witness = [&](int i) {
             const gkFloat* w = simplex.witnesses[i];
             return Vec3d(w[0], w[1], w[2]);
         };
-        answer.distance = distance;
-        answer.point_a = witness(0);
-        answer.point_b = witness(1);
-        return answer;
+        return {.separated = true, .distance = distance, .point_a = witness(0), .point_b = witness(1)};
     }
 };
 

@@ -108,8 +108,7 @@ double scale_of_bodies(const SceneSetup& setup) {
 /// Sorts the queries pair after pair instead of in time order.
 void group_by_pair(Workload& workload) {
     workload.frames.clear();
-    std::stable_sort(workload.queries.begin(), workload.queries.end(),
-                     [](const Query& a, const Query& b) { return a.pair < b.pair; });
+    std::ranges::stable_sort(workload.queries, {}, &Query::pair);
 }
 
 Result<Workload> make_tumble(const SceneSetup& setup) {

@@ -170,7 +170,6 @@ struct Question {
     [[nodiscard]] std::uint64_t blocks() const;
     /// Returns how many pairs of a block are asked; the last block may have fewer.
     [[nodiscard]] std::uint64_t pairs_of(std::uint64_t block) const;
-    [[nodiscard]] bool is_part_of_same(const Question& other) const;
     [[nodiscard]] bool operator==(const Question&) const = default;
 };
 

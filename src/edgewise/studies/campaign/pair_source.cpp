@@ -165,16 +165,6 @@ class RandomPoses {
     Vec3d towards_b_;
 };
 
-/// Returns the first `count` poses of a block with this seed.
-std::vector<std::pair<Pose, Pose>> random_poses(const Polyhedron& a, const Polyhedron& b, std::uint64_t seed,
-                                                std::uint64_t count) {
-    RandomPoses maker(a, b, seed);
-    std::vector<std::pair<Pose, Pose>> poses;
-    poses.reserve(count);
-    for (std::uint64_t i = 0; i < count; ++i) poses.push_back(maker.pose(i));
-    return poses;
-}
-
 using scene::hard::Maker;
 
 /// Poses near those that a hard family made: hard cases come in neighbourhoods, and the next one may be a
@@ -256,11 +246,9 @@ class NearPoses {
     double size_;
 };
 
-/// Returns `made`, then poses near each of them in turn, up to `count`.
-std::vector<std::pair<Pose, Pose>> near_poses(const Polyhedron& a, const Polyhedron& b,
-                                              const std::vector<std::pair<Pose, Pose>>& made,
-                                              std::uint64_t seed, std::uint64_t count) {
-    NearPoses maker(a, b, made, seed);
+/// Returns the first `count` poses of a block.
+template <class Poses>
+std::vector<std::pair<Pose, Pose>> first_poses(Poses maker, std::uint64_t count) {
     std::vector<std::pair<Pose, Pose>> poses;
     poses.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i) poses.push_back(maker.pose(i));
@@ -301,14 +289,15 @@ std::string wrong_poses(const Block& block, const std::vector<std::pair<Pose, Po
     return {};
 }
 
-}  // namespace
-
+/// Returns "random" and the hard families that need no meshes.
 std::vector<std::string> campaign_families() {
     std::vector<std::string> names = {random_family};
     for (const scene::HardFamily& family : scene::hard_families())
         if (family.name != real_family) names.push_back(family.name);
     return names;
 }
+
+}  // namespace
 
 PairSource::PairSource(std::uint64_t seed, const std::vector<std::string>& families,
                        const std::vector<std::string>& shapes)
@@ -345,7 +334,7 @@ Block PairSource::block(std::uint64_t number, std::uint64_t count) const {
         block.case_a = {"a", stretched(shape->second, rng, own % 4 == 3), {}};
         block.case_b = {"b", stretched(shape->second, rng, own % 2 == 1), {}};
         set_bodies(block);
-        if (block.refusal.empty()) block.poses = random_poses(block.a, block.b, seed, count);
+        if (block.refusal.empty()) block.poses = first_poses(RandomPoses(block.a, block.b, seed), count);
         return block;
     }
     scene::hard::Maker maker(seed, own % 2 == 1, {});
@@ -354,7 +343,8 @@ Block PairSource::block(std::uint64_t number, std::uint64_t count) const {
     block.case_b = std::move(made.b);
     set_bodies(block);
     if (block.refusal.empty()) block.refusal = wrong_poses(block, made.poses);
-    if (block.refusal.empty()) block.poses = near_poses(block.a, block.b, made.poses, seed, count);
+    if (block.refusal.empty())
+        block.poses = first_poses(NearPoses(block.a, block.b, made.poses, seed), count);
     return block;
 }
 

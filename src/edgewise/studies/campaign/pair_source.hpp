@@ -67,9 +67,6 @@ class PairSource {
     std::map<std::string, const scene::HardFamily*> hard_;  ///< by the family's name
 };
 
-/// Returns "random" and the hard families that need no meshes.
-[[nodiscard]] std::vector<std::string> campaign_families();
-
 // Turns a block's pairs into queries of one pair, in time order, each from cold.
 
 [[nodiscard]] inline scene::Workload workload_of(const Block& block) {

@@ -163,12 +163,6 @@ std::uint64_t Question::pairs_of(std::uint64_t block) const {
     return std::min(pairs_per_block, pairs - block * pairs_per_block);
 }
 
-bool Question::is_part_of_same(const Question& other) const {
-    Question mine = *this;
-    mine.shard = other.shard;
-    return mine == other;
-}
-
 std::uint64_t CampaignProgress::pairs() const {
     const FamilyTally all = tally.all_families();
     return all.pairs + all.refused_pairs;
@@ -232,8 +226,9 @@ CampaignProgress added_up(std::span<const CampaignProgress> parts) {
     std::set<std::uint64_t> seen;
     for (const CampaignProgress& part : parts) {
         const sweep::Shard& shard = part.question.shard;
-        if (!part.question.is_part_of_same(parts.front().question) ||
-            shard.count != parts.front().question.shard.count)
+        Question same = parts.front().question;
+        same.shard = shard;
+        if (part.question != same || shard.count != parts.front().question.shard.count)
             throw std::invalid_argument(
                 "parts of different campaigns: seed, pairs, families, cells or shards differ");
         if (!seen.insert(shard.index).second)

@@ -288,17 +288,11 @@ Counts count_effort(const CellChoice& choice, const Effort& effort,
 Effort examine(const CellChoice& choice) {
     const SingleCell cell(choice);
     const bench::TableType& type = cell.type();
-    const Polyhedron& body = cell.runner().stored_bodies()[0];
     const Ledger ledger = cell.runner().ledger();
     Effort effort;
-    effort.layout = type.layout;
-    effort.precision = type.precision;
     effort.table = type.name;
     effort.algorithm = cell.algorithm();
     effort.is_peer = type.is_peer;
-    effort.vertices = body.vertex_count();
-    effort.edges = body.edge_count();
-    effort.faces = body.face_count();
     effort.table_bytes = static_cast<double>(ledger.total());
     effort.object_bytes = static_cast<double>(cell.runner().object_bytes());
     effort.pair_bytes = static_cast<double>(cell.runner().pair_bytes());

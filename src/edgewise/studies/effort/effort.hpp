@@ -101,10 +101,9 @@ inline constexpr int few_passes = 1, many_passes = 3;
 
 /// Means per query over all queries of the scene.
 struct Effort {
-    std::string layout, precision, table, algorithm;
+    std::string table, algorithm;
     bool is_peer = false;
     std::string wrong;  ///< of checked answers; empty: all are right. A peer's are its own to have
-    std::size_t vertices = 0, edges = 0, faces = 0;
     double table_bytes = 0, object_bytes = 0, pair_bytes = 0;  ///< of one shape's table, and of a pair
     bench::PassSum passed;                                     ///< what one pass of the queries gives
     measure::Expected<measure::CallgrindCounts> counted = measure::Refusal{"not counted yet"};

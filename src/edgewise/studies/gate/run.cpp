@@ -35,14 +35,17 @@ std::string word_of(const std::string& cell, int number) {
     return word;
 }
 
-}  // namespace
-
+/// Cells that are measured in the same rounds, and divided by one reference: "cold cube8".
 std::string gate_group_name(const std::string& scene, const std::string& shape) {
     return scene + " " + shape;
 }
+/// Returns the group of the cell "gjk lean_f64 cold cube8 batch=yes".
 std::string gate_group_of(const std::string& cell) {
     return gate_group_name(word_of(cell, 2), word_of(cell, 3));
 }
+
+}  // namespace
+
 std::string gate_table_of(const std::string& cell) { return word_of(cell, 1); }
 
 std::optional<RecordRow> gate_row(std::string cell, std::string figure, std::span<const double> times,

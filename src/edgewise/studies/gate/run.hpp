@@ -28,10 +28,6 @@ inline constexpr const char* over_reference = "time over reference";
 /// Figure of the reference's own time over that of work that no change of the algorithms touches.
 inline constexpr const char* over_kernel = "time over kernel";
 
-/// Cells that are measured in the same rounds, and divided by one reference: "cold cube8".
-[[nodiscard]] std::string gate_group_name(const std::string& scene, const std::string& shape);
-/// Returns the group of the cell "gjk lean_f64 cold cube8 batch=yes".
-[[nodiscard]] std::string gate_group_of(const std::string& cell);
 /// Returns the table type of a cell.
 [[nodiscard]] std::string gate_table_of(const std::string& cell);
 
