@@ -60,7 +60,7 @@ void expect_can_be_typed(const std::string& command, const Folder& folder) {
 
 TEST(Advise, TakesNamesAndExplains) {
     const Folder folder;
-    // What an earlier process of the same number left behind is not used.
+    // An earlier process of the same number left a folder behind.
     const Outcome outcome = run_in_shell(
         "left=\"$PWD\"/edgewise-advise-$$; mkdir $left; echo '?' >$left/1.db; TMPDIR=$PWD exec \"$0\" \"$@\"",
         few_cubes({"--error", "1.5e-6", "--machines", "l2=256K"}), folder);

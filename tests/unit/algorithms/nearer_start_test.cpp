@@ -105,17 +105,26 @@ TEST(NearerStart, ShortensWalksInAnyPose) {
     }
 }
 
+/// Turns by this angle about any axis, and every hundredth time to any orientation.
+auto turning_by(double angle) {
+    return [angle, turns = 0](scene::Rng& rng, const Mat3d& before) mutable -> Mat3d {
+        if (++turns % 100 == 1) return rng.rotation();
+        return Eigen::AngleAxisd(angle, rng.on_sphere()).toRotationMatrix() * before;
+    };
+}
+
 /// Bodies that hardly turn start from their last features, also after a large turn.
 TEST(NearerStart, IsNotLookedForAfterSmallMotion) {
     for (const char* shape : {"cube8", "sphere38"}) {
-        int turns = 0;
-        const auto small = [&](scene::Rng& rng, const Mat3d& before) -> Mat3d {
-            if (++turns % 100 == 1) return rng.rotation();
-            return Eigen::AngleAxisd(0.01, rng.on_sphere()).toRotationMatrix() * before;
-        };
-        const FarSteps all = ask_moving<aos<f64>>(shape, small);
+        const FarSteps all = ask_moving<aos<f64>>(shape, turning_by(0.01));
         EXPECT_LT(all.far, 0.05 * all.queries);
     }
+}
+
+/// On long bodies the line between the origins points to no nearer start.
+TEST(NearerStart, IsGivenUpWhereThereIsNone) {
+    const FarSteps all = ask_moving<aos<f64>>("ellipsoid38", turning_by(0.5));
+    EXPECT_LT(all.far, 0.2 * all.queries);
 }
 
 /// The bodies' nearer features stay, wherever they lie.
