@@ -31,8 +31,8 @@ template <class Table>
 /// A warm run that takes more steps than this started far off, over tables with seeds and of bodies that are
 /// scanned: the pair's next query looks for a nearer start first, and goes on doing so until there is none.
 /// If both bodies have more vertices than most_walked, the run itself looks for one, too. Time of aos_f64
-/// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 1.04 /
-/// 0.88 / 0.60, spheres of 38 vertices 1.02 / 0.61 / 0.65, a mesh of 44 vertices 1.05 / 0.94 / 0.80. On its
+/// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 1.00 /
+/// 0.88 / 0.60, spheres of 38 vertices 1.06 / 0.61 / 0.65, a mesh of 44 vertices 1.07 / 0.92 / 0.78. On its
 /// way alone, after three steps, boxes took 1.01 / 1.21 / 0.88. Without seeds a climb from far off costs too
 /// much of the gain: aos_f64 at 386 vertices and 0.1 rad took 1.14.
 inline constexpr int steps_before_search = 4;
