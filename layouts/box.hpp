@@ -95,9 +95,10 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
 
     void write_body(const Polyhedron& body) {
         assert(box_in_order(body));
-        for (int k = 0; k < 3; ++k) half_extents()[k] = static_cast<Stored>(std::abs(body.vertices[0][k]));
+        for (int k = 0; k < 3; ++k) stored()[k] = static_cast<Stored>(std::abs(body.vertices[0][k]));
     }
 
+    [[nodiscard]] Vec3d half_extents() const { return {half_extent(4), half_extent(2), half_extent(1)}; }
     [[nodiscard]] static constexpr std::size_t vertex_count() { return 8; }
     [[nodiscard]] Vec3<Compute> vertex(Vertex v) const {
         assert(v < 8);
@@ -232,9 +233,9 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
         const Compute one = positive ? 1 : -1;
         return {one * Compute(axis >> 2), one * Compute(axis >> 1 & 1), one * Compute(axis & 1)};
     }
-    [[nodiscard]] Stored* half_extents() const { return this->template array<Stored>(0); }
+    [[nodiscard]] Stored* stored() const { return this->template array<Stored>(0); }
     [[nodiscard]] Compute half_extent(Index axis) const {
-        return static_cast<Compute>(this->load(half_extents()[coordinate(axis)], Field::vertex));
+        return static_cast<Compute>(this->load(stored()[coordinate(axis)], Field::vertex));
     }
 };
 

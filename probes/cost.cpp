@@ -112,23 +112,15 @@ std::array<double, 4> times_of(StepWatch& watch) {
             *measure::median(times[3])};
 }
 
-bool has_steps(const scene::Workload& workload) {
-    return !workload.frames.empty() && !workload.frames.front().poses.empty();
-}
-
 }  // namespace
 
 StepCosts step_costs(const bench::Runner& runner, const scene::Workload& workload) {
-    StepCosts costs;
-    costs.reason = "the scene has no steps with a broad phase";
-    costs.remedy = "tumble with in_time_order=1";
-    if (!has_steps(workload)) return costs;
+    if (workload.frames.empty() || workload.frames.front().poses.empty())
+        return {.reason = "the scene has no steps with a broad phase",
+                .remedy = "tumble with in_time_order=1"};
     StepWatch watch(runner, workload);
-    const StepCosts counted = watch.count();
-    costs.reason = "no step follows another";
-    costs.remedy = "ask for more queries";
-    if (counted.steps == 0) return costs;
-    costs = counted;
+    StepCosts costs = watch.count();
+    if (costs.steps == 0) return {.reason = "no step follows another", .remedy = "ask for more queries"};
     const auto steps = static_cast<double>(costs.steps);
     const auto [whole, boxes, broad_phase, queries] = times_of(watch);
     costs.step_ns = whole / steps;

@@ -39,7 +39,10 @@ class cost {
         "a step's tests and times by part, and the paper's cost functions next to the whole";
 
     [[nodiscard]] static bench::Findings measure(const bench::ProbedCell& cell) {
-        return {figures(costs_of(cell))};
+        StepCosts costs;
+        if (!cell.plain) costs.reason = "measured for the cell without further axes";
+        if (cell.plain && cell.verified) costs = step_costs(cell.runner, cell.workload);
+        return {figures(costs)};
     }
 
     [[nodiscard]] static std::vector<measure::Figure> figures(const StepCosts& costs) {
@@ -60,13 +63,6 @@ class cost {
             store::figure("cost.equation_1_ratio", costs.equation_1() / costs.step_ns),
             store::figure("cost.equation_2_ratio", costs.equation_2() / costs.step_ns),
         };
-    }
-
-  private:
-    [[nodiscard]] static StepCosts costs_of(const bench::ProbedCell& cell) {
-        StepCosts costs;
-        if (!cell.plain) costs.reason = "measured for the cell without further axes";
-        return cell.plain && cell.verified ? step_costs(cell.runner, cell.workload) : costs;
     }
 };
 

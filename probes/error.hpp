@@ -40,12 +40,12 @@ class error {
         const double checked = static_cast<double>(answers.size());
         std::vector<measure::Figure> all = {
             store::figure("error.checked", checked),
-            worst("error.worst_error_stored", answers, stored),
-            worst("error.worst_error_given", answers, given),
+            at_quantile("error.worst_error_stored", answers, stored, 1.0),
+            at_quantile("error.worst_error_given", answers, given, 1.0),
             at_quantile("error.p50_error_given", answers, given, 0.5),
             p999_given(answers),
             at_quantile("error.p99_error_stored", answers, stored, 0.99),
-            worst("error.witness_error", answers, &truth::CheckedAnswer::witness_error),
+            at_quantile("error.witness_error", answers, &truth::CheckedAnswer::witness_error, 1.0),
             store::figure("error.wrong_verdicts", count([](Answer a) { return a.verdict_wrong; })),
             store::figure("error.wrong_answers", count([](Answer a) { return a.wrong(); })),
             store::figure("error.verdicts_in_band", count([](Answer a) { return a.in_band; })),
@@ -108,10 +108,6 @@ class error {
         for (const truth::CheckedAnswer& answer : answers)
             if (answer.has_distance) result.push_back(answer.band.over_scale(answer.*error));
         return result;
-    }
-
-    static measure::Figure worst(const store::FigureName& name, Answers answers, Error error) {
-        return at_quantile(name, answers, error, 1.0);
     }
 
     static measure::Figure p999_given(Answers answers) {

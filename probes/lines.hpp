@@ -42,17 +42,13 @@ class lines {
                          all);
         store::add_means(read, each([](Sums sums) { return sums.bytes; }), queries, all);
         store::add_means(reads, each([](Sums sums) { return sums.reads; }), queries, all);
-        if (touched.all.queries > 0 && touched.all.reads == 0 && !may_be_none) leave_out(all);
-        return all;
-    }
-
-  private:
-    static void leave_out(std::vector<measure::Figure>& all) {
+        if (touched.all.queries == 0 || touched.all.reads > 0 || may_be_none) return all;
         for (measure::Figure& figure : all) {
             figure.value.reset();
             figure.reason = "the layout reads past its loader, which counts reads";
             figure.remedy = "read through the loader";
         }
+        return all;
     }
 };
 

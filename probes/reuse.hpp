@@ -45,7 +45,16 @@ class reuse {
                           ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
                           : store::no_figure(names.of_frame, "the scene is not asked frame after frame",
                                              "tumble with in_time_order=1, or pressure"));
-        add_knees(trace, unit, names.knee, all);
+        const auto knee = [&](const measure::MissCurve& curve, std::uint64_t touched,
+                              std::uint64_t queries) -> std::optional<double> {
+            if (queries == 0) return std::nullopt;
+            return static_cast<double>(measure::knee(curve, touched) * unit.unit_bytes);
+        };
+        store::add_values(names.knee,
+                          {knee(unit.steady.all, unit.with_scene.all, trace.queries.all),
+                           knee(unit.steady.cold, unit.with_scene.cold, trace.queries.cold),
+                           knee(unit.steady.warm, unit.with_scene.warm, trace.queries.warm)},
+                          all);
         for (int power = least; power <= most; power += 1) {
             const std::uint64_t size = (std::uint64_t{1} << power) / unit.unit_bytes;
             const std::string exponent = std::to_string(power);
@@ -54,22 +63,6 @@ class reuse {
                 {unit.steady.all.misses(size), unit.steady.cold.misses(size), unit.steady.warm.misses(size)},
                 trace.queries, all);
         }
-    }
-
-    static void add_knees(const measure::SceneTrace& trace, const measure::ReuseOf& unit,
-                          const store::StartNames& names, std::vector<measure::Figure>& all) {
-        const auto knee = [&](const measure::MissCurve& curve, std::uint64_t touched,
-                              std::uint64_t queries) -> std::optional<double> {
-            if (queries == 0) return std::nullopt;
-            return static_cast<double>(measure::knee(curve, touched) * unit.unit_bytes);
-        };
-        const auto& steady = unit.steady;
-        const auto& touched = unit.with_scene;
-        store::add_values(names,
-                          {knee(steady.all, touched.all, trace.queries.all),
-                           knee(steady.cold, touched.cold, trace.queries.cold),
-                           knee(steady.warm, touched.warm, trace.queries.warm)},
-                          all);
     }
 };
 

@@ -40,19 +40,15 @@ class time {
   private:
     static void add_by_start(std::vector<measure::Figure>& result, std::span<const measure::Round> rounds,
                              bool warm) {
-        measure::ByStart<std::vector<double>> each;
-        const auto note = [](const std::optional<double>& ns, std::vector<double>& to) {
-            if (ns) to.push_back(*ns);
+        using Times = measure::ByStart<std::optional<double>>;
+        const auto median = [&](std::optional<double> Times::*start) {
+            std::vector<double> each;
+            for (const measure::Round& round : rounds)
+                if (const auto ns = round.timing.by_start(warm).*start) each.push_back(*ns);
+            return measure::median(each);
         };
-        for (const measure::Round& round : rounds) {
-            const measure::ByStart<std::optional<double>> ns = round.timing.by_start(warm);
-            note(ns.all, each.all);
-            note(ns.cold, each.cold);
-            note(ns.warm, each.warm);
-        }
         store::add_values(store::query_time,
-                          {measure::median(each.all), measure::median(each.cold), measure::median(each.warm)},
-                          result);
+                          {median(&Times::all), median(&Times::cold), median(&Times::warm)}, result);
     }
 
     /// `none`: why no round has such queries.

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <tuple>
 #include <vector>
 
@@ -59,16 +58,12 @@ std::vector<ReportCell> take_out(std::vector<ReportCell>& cells, IsOne is_one) {
 }
 
 /// A cell of a scene file is one of that file's kind, and is called by what the file varies.
-void name_by_file(std::vector<ReportCell>& cells,
-                  const std::vector<std::pair<std::string, std::string>>& scene_files) {
-    std::map<std::string, const std::string*> texts;
-    for (const auto& [name, text] : scene_files) texts[name] = &text;
+void name_by_file(std::vector<ReportCell>& cells, const std::map<std::string, std::string>& files) {
     for (ReportCell& cell : cells) {
-        const auto found = texts.find(cell.scene);
-        if (found == texts.end()) continue;
-        const std::string& text = *found->second;
-        cell.scene_label = scene_label(cell, text);
-        const auto json = input::json_or_null(text);
+        const auto found = files.find(cell.scene);
+        if (found == files.end()) continue;
+        cell.scene_label = scene_label(cell, found->second);
+        const auto json = input::json_or_null(found->second);
         if (json.is_object() && json.contains("scene") && json["scene"].is_string())
             cell.scene_kind = json["scene"];
     }
@@ -77,12 +72,9 @@ void name_by_file(std::vector<ReportCell>& cells,
 /// Scenes by name, the rows of other runs, and the cells of scenes from files.
 void sort_out(ReportData& data) {
     const std::string prefix = store::scene_file_key;
-    std::set<std::string> names;
-    for (const auto& [key, value] : data.meta) {
-        if (key.rfind(prefix, 0) != 0) continue;
-        data.scene_files.emplace_back(key.substr(prefix.size()), value);
-        names.insert(data.scene_files.back().first);
-    }
+    for (const auto& [key, value] : data.meta)
+        if (key.starts_with(prefix)) data.scene_files.emplace_back(key.substr(prefix.size()), value);
+    const std::map<std::string, std::string> files(data.scene_files.begin(), data.scene_files.end());
     const auto of = [](const char* run) { return [run](const ReportCell& cell) { return cell.run == run; }; };
     data.stability = take_out(data.cells, of("stability"));
     data.paging = take_out(data.cells, of("paging"));
@@ -96,27 +88,23 @@ void sort_out(ReportData& data) {
     data.other_studies =
         take_out(data.cells, [](const ReportCell& cell) { return cell.run != store::sweep_run; });
     data.from_files =
-        take_out(data.cells, [&](const ReportCell& cell) { return names.contains(cell.scene); });
-    name_by_file(data.from_files, data.scene_files);
-    name_by_file(data.again, data.scene_files);
-    const auto is_peer = [](const ReportCell& cell) { return cell.judged() && !cell.is_raw(); };
-    std::copy_if(data.cells.begin(), data.cells.end(), std::back_inserter(data.peers), is_peer);
-    std::erase_if(data.cells, is_peer);
+        take_out(data.cells, [&](const ReportCell& cell) { return files.contains(cell.scene); });
+    name_by_file(data.from_files, files);
+    name_by_file(data.again, files);
+    data.peers = take_out(data.cells, [](const ReportCell& cell) { return cell.judged() && !cell.is_raw(); });
 }
 
 }  // namespace
 
-std::vector<const ReportCell*> ReportData::swept() const {
+std::vector<const ReportCell*> cells_in(std::initializer_list<const std::vector<ReportCell>*> lists) {
     std::vector<const ReportCell*> all;
-    for (const auto* from : {&cells, &from_files})
-        for (const ReportCell& cell : *from) all.push_back(&cell);
+    for (const auto* list : lists)
+        for (const ReportCell& cell : *list) all.push_back(&cell);
     return all;
 }
 
 std::size_t ReportData::count(store::CellStatus status) const {
-    const auto has_it = [&](const ReportCell& cell) { return cell.status == status; };
-    return static_cast<std::size_t>(std::ranges::count_if(cells, has_it) +
-                                    std::ranges::count_if(from_files, has_it));
+    return static_cast<std::size_t>(std::ranges::count(swept(), status, &ReportCell::status));
 }
 
 std::optional<std::string> ReportData::meta_value(std::string_view key) const {
@@ -162,17 +150,11 @@ std::string shown(const SceneLabelJson& value) {
     return std::floor(number) == number ? fmt::format("{:.0f}", number) : value.dump();
 }
 
-const SceneStandard* standard_of(std::string_view kind, std::string_view parameter) {
-    const auto standards = scene_standards();
-    const auto found = std::ranges::find_if(standards, [&](const SceneStandard& standard) {
-        return standard.kind == kind && standard.parameter == parameter;
-    });
-    return found == standards.end() ? nullptr : &*found;
-}
-
 bool goes_without_saying(const std::string& kind, const std::string& name, const SceneLabelJson& value) {
-    const SceneStandard* standard = standard_of(kind, name);
-    return standard && !standard->always_said && value.is_number() && value.get<double>() == standard->value;
+    return std::ranges::any_of(scene_standards(), [&](const SceneStandard& of) {
+        return of.kind == kind && of.parameter == name && !of.always_said && value.is_number() &&
+               value.get<double>() == of.value;
+    });
 }
 
 std::string label(const std::string& scene, const std::vector<std::string>& inside) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <compare>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,10 @@ struct ReportCell : store::StoredCell {
     [[nodiscard]] bool is_raw() const { return axis("hardening") == "off"; }
 };
 
+/// Returns the cells of these lists, one list after the other.
+[[nodiscard]] std::vector<const ReportCell*> cells_in(
+    std::initializer_list<const std::vector<ReportCell>*> lists);
+
 struct ReportData {
     std::vector<std::pair<std::string, std::string>> meta;  ///< in order of key
     store::BuildRow build;                                  ///< the build that measured the cells
@@ -45,7 +50,7 @@ struct ReportData {
     std::vector<std::pair<std::string, std::string>> scene_files;  ///< name and text (JSON), by name
 
     /// The sweep's cells, of built-in scenes and of files, in this order; no peers, no rows of other runs.
-    [[nodiscard]] std::vector<const ReportCell*> swept() const;
+    [[nodiscard]] std::vector<const ReportCell*> swept() const { return cells_in({&cells, &from_files}); }
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
     [[nodiscard]] std::size_t count(store::CellStatus status) const;  ///< of all cells
     [[nodiscard]] bool any_failed() const;                            ///< cell or stability row

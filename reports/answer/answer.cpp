@@ -76,17 +76,16 @@ struct Found {
 Gaps gaps_of(const ReportData& data) {
     Gaps all;
     std::map<std::pair<std::string, std::string>, Found> found;
-    for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash,
-                              &data.effort, &data.fields, &data.other_studies, &data.peers}) {
-        for (const ReportCell& cell : *cells) {
-            for (const store::FigureRow& figure : cell.figures) {
-                ++(figure.value ? all.measured : all.missing);
-                if (figure.value) continue;
-                Found& one = found[{without_numbers(figure.reason), without_numbers(figure.remedy)}];
-                if (one.gap.figures++ == 0) one.gap.remedy = figure.remedy, one.gap.reason = figure.reason;
-                one.probes.insert(figure.probe);
-                one.reasons.insert(figure.reason);
-            }
+    for (const ReportCell* cell :
+         cells_in({&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash, &data.effort,
+                   &data.fields, &data.other_studies, &data.peers})) {
+        for (const store::FigureRow& figure : cell->figures) {
+            ++(figure.value ? all.measured : all.missing);
+            if (figure.value) continue;
+            Found& one = found[{without_numbers(figure.reason), without_numbers(figure.remedy)}];
+            if (one.gap.figures++ == 0) one.gap.remedy = figure.remedy, one.gap.reason = figure.reason;
+            one.probes.insert(figure.probe);
+            one.reasons.insert(figure.reason);
         }
     }
     for (auto& [key, one] : found) {
@@ -101,20 +100,14 @@ Gaps gaps_of(const ReportData& data) {
 /// Cells of one scene by shape.
 using ByShape = std::map<std::string, std::vector<const ReportCell*>>;
 
-struct StoredScenes {
-    std::vector<std::string> order;  ///< keys as the cells come
-    std::map<std::string, ByShape> by_key;
-};
-
-StoredScenes scenes_of(const ReportData& data) {
-    StoredScenes scenes;
-    std::vector<const ReportCell*> cells = data.swept();
-    for (const auto* from : {&data.peers, &data.again})
-        for (const ReportCell& cell : *from) cells.push_back(&cell);
-    for (const ReportCell* cell : cells) {
-        const std::string key = cell->scene + '\n' + cell->scene_parameters;
-        if (!scenes.by_key.contains(key)) scenes.order.push_back(key);
-        scenes.by_key[key][cell->shape].push_back(cell);
+/// Returns the scenes as the cells come.
+std::vector<ByShape> scenes_of(const ReportData& data) {
+    std::vector<ByShape> scenes;
+    DistinctTexts keys;
+    for (const ReportCell* cell : cells_in({&data.cells, &data.from_files, &data.peers, &data.again})) {
+        const std::size_t place = keys.place(cell->scene + '\n' + cell->scene_parameters);
+        if (place == scenes.size()) scenes.emplace_back();
+        scenes[place][cell->shape].push_back(cell);
     }
     return scenes;
 }
@@ -210,10 +203,9 @@ Answer answer_of_scenes(const ReportData& data, const Question& question) {
     answer.baseline = baseline_of(data);
     answer.runs = sweep_runs(data);
     answer.shape = question.shape.value_or(reference_shape(data));
-    const StoredScenes stored = scenes_of(data);
     std::vector<SceneRanking> scenes;
-    for (const std::string& key : stored.order) {
-        const auto* cells = chosen_shape(stored.by_key.at(key), question, answer.shape);
+    for (const ByShape& shapes : scenes_of(data)) {
+        const auto* cells = chosen_shape(shapes, question, answer.shape);
         if (!cells) continue;
         const ReportCell& any = *cells->front();
         if (any.shape == answer.shape) answer.body_option = body_option_of(data, any);
@@ -239,10 +231,10 @@ Answer answer_of(const ReportData& data, const Question& question) {
     return answer;
 }
 
-const RankedCell& Recommendation::example() const {
-    const RankedCell* best = nullptr;
+const Recommendation::InScene& Recommendation::example() const {
+    const InScene* best = nullptr;
     for (const InScene& one : scenes)
-        if (one.ties && (!best || one.cell->ratio < best->ratio)) best = one.cell;
+        if (one.ties && (!best || one.cell->ratio < best->cell->ratio)) best = &one;
     return *best;
 }
 

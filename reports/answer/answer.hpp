@@ -84,7 +84,7 @@ struct Recommendation {
     std::vector<InScene> scenes;             ///< one for each scene that counts and has a winner
     std::optional<double> worst_error = {};  ///< over all scenes that recommend something
 
-    [[nodiscard]] const RankedCell& example() const;  ///< the scene where it ties with the smallest ratio
+    [[nodiscard]] const InScene& example() const;  ///< the scene where it ties with the smallest ratio
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
 /// Returns the cell that ties in most scenes and takes at most `store::fast_ratio` times as long as the

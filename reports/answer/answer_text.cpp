@@ -17,22 +17,6 @@
 
 namespace edgewise::reports {
 
-namespace {
-
-std::string conditions_of(const Answer& answer, const ReportData& data) {
-    return fmt::format("Error at most {} of the bodies' size, on {}.",
-                       limit_text(answer.question.error_limit), machine_text(data));
-}
-
-std::string unfinished_sentence(const Answer& answer) {
-    const std::size_t missing = missing_cells(answer.runs);
-    return fmt::format("A sweep did not finish: {}; the same command goes on from there.",
-                       missing > 0 ? plural(missing, "cell") + " of its plan are missing"
-                                   : std::string("what follows its cells is missing"));
-}
-
-}  // namespace
-
 std::string own_variation_text(const SceneRanking& scene) {
     if (!scene.own_variation.factor) return {};
     const double percent = (scene.own_variation.high() - 1) * 100;
@@ -71,17 +55,6 @@ std::vector<std::string> what_passed(const Answer& answer) {
     return passed;
 }
 
-std::string cells_sentence(const Answer& answer) {
-    const CellCounts& counts = answer.counts;
-    std::string text = fmt::format("{} of {} verified, {} failed", counts.verified,
-                                   plural(counts.cells, "cell"), counts.failed);
-    if (counts.unavailable > 0) text += fmt::format(", {} unavailable", counts.unavailable);
-    if (counts.stability_rows > 0)
-        text += fmt::format("; {}, {} failed", plural(counts.stability_rows, "stability row"),
-                            counts.stability_failed);
-    return text + ".";
-}
-
 std::string gaps_sentence(const Answer& answer) {
     return fmt::format("{} of {} figures were not measured.", answer.gaps.missing, answer.gaps.figures());
 }
@@ -118,7 +91,8 @@ std::string intervals_sentence(const Answer& answer) {
 
 AnswerText answer_text(const Answer& answer, const ReportData& data) {
     AnswerText text;
-    text.conditions = conditions_of(answer, data);
+    text.conditions = fmt::format("Error at most {} of the bodies' size, on {}.",
+                                  limit_text(answer.question.error_limit), machine_text(data));
     const std::string noise = noise_text(answer);
     text.noise =
         noise.empty()
@@ -127,8 +101,20 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
                   "The baseline timed against itself differs by {}: its own variation. Cells that differ by less in "
                   "that scene tie. {}",
                   noise, intervals_sentence(answer));
-    text.counts = cells_sentence(answer) + " " + gaps_sentence(answer);
-    if (any_unfinished(answer.runs)) text.counts = unfinished_sentence(answer) + " " + text.counts;
+    if (any_unfinished(answer.runs)) {
+        const std::size_t missing = missing_cells(answer.runs);
+        text.counts = fmt::format("A sweep did not finish: {}; the same command goes on from there. ",
+                                  missing > 0 ? plural(missing, "cell") + " of its plan are missing"
+                                              : std::string("what follows its cells is missing"));
+    }
+    const CellCounts& counts = answer.counts;
+    text.counts += fmt::format("{} of {} verified, {} failed", counts.verified, plural(counts.cells, "cell"),
+                               counts.failed);
+    if (counts.unavailable > 0) text.counts += fmt::format(", {} unavailable", counts.unavailable);
+    if (counts.stability_rows > 0)
+        text.counts += fmt::format("; {}, {} failed", plural(counts.stability_rows, "stability row"),
+                                   counts.stability_failed);
+    text.counts += ". " + gaps_sentence(answer);
     return text;
 }
 
@@ -267,12 +253,6 @@ AnswerJson scene_json(const SceneRanking& scene) {
     return json;
 }
 
-/// Returns the scene that represents `take`: the one where it ties with the smallest ratio.
-const SceneRanking& shown_scene(const Recommendation& take) {
-    const RankedCell* example = &take.example();
-    return *std::ranges::find(take.scenes, example, &Recommendation::InScene::cell)->scene;
-}
-
 AnswerJson next_json(const SceneRanking& scene, const RankedCell& taken) {
     AnswerJson next = AnswerJson::array();
     std::size_t behind = 0;
@@ -335,14 +315,14 @@ AnswerJson answer_json(const Answer& answer) {
     const std::vector<SceneRanking>& scenes = answer.shared.empty() ? answer.own : answer.shared;
     const std::optional<Recommendation> take = recommendation_of(scenes);
     if (!take) return json;
-    const SceneRanking& shown = shown_scene(*take);
-    json["take"] = ranked_json(take->example());
+    const Recommendation::InScene& shown = take->example();
+    json["take"] = ranked_json(*shown.cell);
     json["take"]["error"] = or_null(take->worst_error);
-    json["take"]["scene"] = shown.label;
-    json["take"]["own_tables"] = shown.own_tables;
+    json["take"]["scene"] = shown.scene->label;
+    json["take"]["own_tables"] = shown.scene->own_tables;
     json["take"]["beats_baseline"] = take->beats_baseline_somewhere();
-    json["next"] = next_json(shown, take->example());
-    json["dropped"] = dropped_json(shown);
+    json["next"] = next_json(*shown.scene, *shown.cell);
+    json["dropped"] = dropped_json(*shown.scene);
     return json;
 }
 

@@ -24,9 +24,6 @@ struct AnswerText {
 /// scene.
 [[nodiscard]] std::string terminal_text(const Answer& answer, const ReportData& data);
 
-/// Says that every planned cell is there, "1281 of 1281 planned cells verified, 0 failed", or that the sweep
-/// was stopped and how many are missing.
-[[nodiscard]] std::string cells_sentence(const Answer& answer);
 /// Returns "31213 of 171554 figures were not measured".
 [[nodiscard]] std::string gaps_sentence(const Answer& answer);
 /// Returns the baseline's own variation in one scene, "0.2 %"; empty if it was not measured.

@@ -78,28 +78,25 @@ std::map<MapPlace, MapCell> map_cells_of(const Answer& answer) {
 }
 
 /// The sweep's cells at their places.
-struct PlacedCells {
-    std::multimap<MapPlace, const ReportCell*> cells;
-    std::size_t scenes_without_place = 0;
-};
+using PlacedCells = std::multimap<MapPlace, const ReportCell*>;
 
-PlacedCells placed_cells(const ReportData& data) {
+PlacedCells placed_cells(const ReportData& data, BreakEvenMap& map) {
     PlacedCells placed;
     std::map<std::string, std::optional<MapPlace>> of_scenes;
     for (const ReportCell* cell : data.swept()) {
         const auto [scene, fresh] = of_scenes.try_emplace(scene_key(*cell));
         if (fresh) {
             scene->second = place_of(*cell);
-            placed.scenes_without_place += !scene->second;
+            map.scenes_left_out += !scene->second;
         }
-        if (scene->second) placed.cells.emplace(*scene->second, cell);
+        if (scene->second) placed.emplace(*scene->second, cell);
     }
     return placed;
 }
 
 /// Says why a place has no result: the store's reason for one of its cells, else that it has no cell.
 std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const std::string& shape) {
-    const auto [first, last] = placed.cells.equal_range(place);
+    const auto [first, last] = placed.equal_range(place);
     for (auto at = first; at != last; ++at) {
         const ReportCell& cell = *at->second;
         if (cell.shape != shape) continue;
@@ -109,18 +106,14 @@ std::string why_nothing(const PlacedCells& placed, const MapPlace& place, const 
     return "no scene of this store is of such bodies there";
 }
 
-/// Returns the places of the map's bodies.
-std::set<MapPlace> places_of(const PlacedCells& placed, const std::vector<MapColumn>& columns) {
-    std::set<MapPlace> places;
-    for (const auto& [place, cell] : placed.cells)
-        if (std::ranges::find(columns, cell->shape, &MapColumn::shape) != columns.end()) places.insert(place);
-    return places;
-}
-
 void fill_map_panels(const PlacedCells& placed, BreakEvenMap& map) {
     std::vector<std::map<MapPlace, MapCell>> columns;
     for (const Answer& answer : map.answers) columns.push_back(map_cells_of(answer));
-    for (const MapPlace& place : places_of(placed, map.columns)) {
+    std::set<MapPlace> places;  // of the map's bodies
+    for (const auto& [place, cell] : placed)
+        if (std::ranges::find(map.columns, cell->shape, &MapColumn::shape) != map.columns.end())
+            places.insert(place);
+    for (const MapPlace& place : places) {
         const std::string tables = tables_class_text(place.tables);
         if (map.panels.empty() || map.panels.back().tables != tables) map.panels.push_back({tables, {}});
         MapRow row{place.coherence.text(), {}};
@@ -130,6 +123,13 @@ void fill_map_panels(const PlacedCells& placed, BreakEvenMap& map) {
         }
         map.panels.back().rows.push_back(std::move(row));
     }
+}
+
+template <class Use>
+void each_cell(const BreakEvenMap& map, const Use& use) {
+    for (const MapPanel& panel : map.panels)
+        for (const MapRow& row : panel.rows)
+            for (std::size_t i = 0; i < row.cells.size(); ++i) use(row.cells[i], i);
 }
 
 }  // namespace
@@ -162,10 +162,7 @@ std::string MapPanel::only_algorithm() const {
 
 std::size_t BreakEvenMap::measured() const {
     std::size_t count = 0;
-    for (const MapPanel& panel : panels)
-        for (const MapRow& row : panel.rows)
-            count += static_cast<std::size_t>(
-                std::ranges::count_if(row.cells, [](const MapCell& cell) { return cell.scene != nullptr; }));
+    each_cell(*this, [&](const MapCell& cell, std::size_t) { count += cell.scene != nullptr; });
     return count;
 }
 
@@ -175,9 +172,7 @@ BreakEvenMap break_even_map(const ReportData& data, double error_limit) {
     map.columns = columns_of_data(data, map);
     for (const MapColumn& column : map.columns)
         map.answers.push_back(answer_of_scenes(data, {.error_limit = error_limit, .shape = column.shape}));
-    const PlacedCells placed = placed_cells(data);
-    map.scenes_left_out = placed.scenes_without_place;
-    fill_map_panels(placed, map);
+    fill_map_panels(placed_cells(data, map), map);
     return map;
 }
 
@@ -186,13 +181,6 @@ std::string layout_name(const RankedCell& cell) {
 }
 
 namespace {
-
-template <class Use>
-void each_cell(const BreakEvenMap& map, const Use& use) {
-    for (const MapPanel& panel : map.panels)
-        for (const MapRow& row : panel.rows)
-            for (std::size_t i = 0; i < row.cells.size(); ++i) use(row.cells[i], i);
-}
 
 /// Returns the answer at a place, short enough to be compared with its neighbour.
 std::string answer_at(const MapCell& cell) {

@@ -16,23 +16,19 @@ namespace edgewise::reports {
 
 namespace {
 
-/// Returns the geometric mean over the scenes: of the ratios, and of each end of their intervals.
-RatioRange mean_ratio(const Recommendation& take) {
+/// "0.72 [0.69, 0.83] of the time of the paper's layout, 0.52 to 0.91 by scene": the geometric mean over the
+/// scenes, of the ratios and of each end of their intervals.
+std::string time_fact(const Recommendation& take) {
     double low = 0, ratio = 0, high = 0, scenes = 0;
     for (const Recommendation::InScene& one : take.scenes) {
         if (!one.cell) continue;
         low += std::log(one.cell->low()), ratio += std::log(one.cell->ratio);
         high += std::log(one.cell->high()), ++scenes;
     }
-    return {std::exp(low / scenes), std::exp(ratio / scenes), std::exp(high / scenes)};
-}
-
-/// "0.72 [0.69, 0.83] of the time of the paper's layout, 0.52 to 0.91 by scene"
-std::string time_fact(const Recommendation& take) {
-    const RatioRange mean = mean_ratio(take);
-    std::string text = fmt::format("{:.2f} [{:.2f}, {:.2f}] of the time of the paper's layout", mean.ratio,
-                                   mean.low, mean.high);
-    double least = mean.ratio, most = mean.ratio;
+    const double mean = std::exp(ratio / scenes);
+    std::string text = fmt::format("{:.2f} [{:.2f}, {:.2f}] of the time of the paper's layout", mean,
+                                   std::exp(low / scenes), std::exp(high / scenes));
+    double least = mean, most = mean;
     for (const Recommendation::InScene& one : take.scenes)
         if (one.cell) least = std::min(least, one.cell->ratio), most = std::max(most, one.cell->ratio);
     if (take.scenes.size() > 1) text += fmt::format(", {:.2f} to {:.2f} by scene", least, most);
@@ -88,7 +84,9 @@ std::vector<std::string> why_nothing_is_taken(const std::vector<SceneRanking>& s
             append(why, fmt::format("{}: {}", scene.label, scene.why_not()), "; ");
     if (scenes.empty()) return {"not measured; measure it with: " + command};
     if (why.empty()) return {"nothing is within the error"};
-    return {fmt::format("too few cells ({}); measure more with: {}", why, command), contest_rule()};
+    return {
+        fmt::format("too few cells ({}); measure more with: {}", why, command),
+        prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", store::fast_ratio))};
 }
 
 /// A recording has several shapes, whose tables differ: all of them together.
@@ -107,7 +105,7 @@ Decision decision_of(const Answer& answer, bool own_tables) {
     if (!take) return {{}, why_nothing_is_taken(scenes, measuring_command(answer, own_tables))};
     if (const std::string& noise = take->scenes.front().scene->noise; !noise.empty())
         return {{}, {"too noisy to choose by: " + noise}};
-    const RankedCell& cell = take->example();
+    const RankedCell& cell = *take->example().cell;
     Decision decision{cell.name(), {time_fact(*take), bytes_fact(cell)}};
     if (!take->beats_baseline_somewhere()) decision.facts.front() += "; nothing beats the paper's layout";
     const auto near_error = worst_error_of(answer.near, take->algorithm, take->table);

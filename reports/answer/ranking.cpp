@@ -16,7 +16,6 @@
 #include "edgewise/reports/answer/answer_text.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
@@ -24,14 +23,10 @@ namespace {
 
 /// The axes of the scene's own question: a scene file's needs are axes of all its cells.
 std::string plain_axes(std::span<const ReportCell* const> cells) {
-    const ReportCell* plainest = nullptr;
-    for (const ReportCell* cell : cells) {
-        if (cell->judged()) continue;
-        if (!plainest || std::make_tuple(cell->axes.size(), cell->axes) <
-                             std::make_tuple(plainest->axes.size(), plainest->axes))
-            plainest = cell;
-    }
-    return plainest ? plainest->axes : std::string();
+    std::set<std::pair<std::size_t, std::string>> axes;  // the plainest first
+    for (const ReportCell* cell : cells)
+        if (!cell->judged()) axes.emplace(cell->axes.size(), cell->axes);
+    return axes.empty() ? std::string() : axes.begin()->second;
 }
 
 constexpr double widest_interval = 2;
@@ -306,10 +301,6 @@ std::string SceneRanking::why_not() const {
     for (const std::string& name : over_limit)
         append(why, fmt::format("every cell of {} exceeds the error limit", name), "; ");
     return why;
-}
-
-std::string contest_rule() {
-    return prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", store::fast_ratio));
 }
 
 }  // namespace edgewise::reports

@@ -149,7 +149,4 @@ inline constexpr double small_bytes_per_edge = 42;
 /// Sets `not_measured` of each: "GJK on a small layout", "V-Clip on a fast layout"; and `over_limit`.
 void check_contests(std::vector<SceneRanking>& scenes);
 
-/// Returns the rule in one sentence.
-[[nodiscard]] std::string contest_rule();
-
 }  // namespace edgewise::reports

@@ -143,17 +143,14 @@ ChartJson shapes_drawn(const Fronts& fronts) {
     return names;
 }
 
-/// The shape that is shown until another is chosen: the reference shape if it is drawn, else the largest.
-std::string first_shape(const ReportData& data, const ChartJson& shapes) {
-    const std::string reference = reference_shape(data);
-    for (const ChartJson& shape : shapes)
-        if (shape == reference) return reference;
-    return shapes.back();
-}
-
-/// Layouts with the colours that they have everywhere, then libraries.
-void add_holders(ChartJson& slots, const ReportData& data, const ChartJson& values) {
-    ChartJson holders = order_slots(data, values)["layouts"], colours = ChartJson::array();
+/// Algorithms with the shapes that they have everywhere, then squares; layouts with the colours that they
+/// have everywhere, then libraries.
+void add_orders(ChartJson& slots, const ReportData& data, const ChartJson& values) {
+    const ChartJson orders = order_slots(data, values);
+    slots["kinds"] = orders["algorithms"], slots["kind_shapes"] = orders["algorithm_shapes"];
+    slots["kinds"].push_back(another_library);
+    slots["kind_shapes"].push_back("square");
+    ChartJson holders = orders["layouts"], colours = ChartJson::array();
     std::set<std::string> libraries;
     for (const ChartJson& row : values)
         if (row["kind"] == another_library) libraries.insert(row["holder"].get<std::string>());
@@ -161,23 +158,6 @@ void add_holders(ChartJson& slots, const ReportData& data, const ChartJson& valu
     for (const ChartJson& holder : holders)
         colours.push_back(store::layout_colour(holder.get<std::string>()));
     slots["holders"] = holders, slots["holder_colours"] = colours;
-}
-
-/// Algorithms with the shapes that they have everywhere, then squares.
-void add_kinds(ChartJson& slots, const ReportData& data) {
-    const ChartJson orders = order_slots(data, ChartJson::array());
-    slots["kinds"] = orders["algorithms"], slots["kind_shapes"] = orders["algorithm_shapes"];
-    slots["kinds"].push_back(another_library);
-    slots["kind_shapes"].push_back("square");
-}
-
-ChartJson axis_slots(const ErrorAxis& axis) {
-    ChartJson floors = ChartJson::array();
-    if (axis.has_zeros()) floors.push_back({{"floor", axis.floor()}});
-    return {{"floors", floors},
-            {"ticks", axis.ticks()},
-            {"domain", axis.domain()},
-            {"tick_label", axis.tick_label()}};
 }
 
 }  // namespace
@@ -190,10 +170,16 @@ Chart speed_error_chart(const ReportData& data) {
     const ErrorAxis axis = place_on_axis(rows.values);
     note_places(rows.values, chart.notes);
     const ChartJson shapes = shapes_drawn(fronts);
-    ChartJson slots = axis_slots(axis);
-    slots["drawn_shapes"] = shapes, slots["first_shape"] = first_shape(data, shapes);
-    add_kinds(slots, data);
-    add_holders(slots, data, rows.values);
+    // The reference shape is shown until another is chosen if it is drawn, else the largest.
+    const std::string reference = reference_shape(data);
+    const bool has_reference = std::find(shapes.begin(), shapes.end(), reference) != shapes.end();
+    ChartJson floors = ChartJson::array();
+    if (axis.has_zeros()) floors.push_back({{"floor", axis.floor()}});
+    ChartJson slots{
+        {"floors", floors},        {"ticks", axis.ticks()},
+        {"domain", axis.domain()}, {"tick_label", axis.tick_label()},
+        {"drawn_shapes", shapes},  {"first_shape", has_reference ? ChartJson(reference) : shapes.back()}};
+    add_orders(slots, data, rows.values);
     draw(chart, data, rows.values, slots);
     return chart;
 }

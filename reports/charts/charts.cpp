@@ -99,8 +99,8 @@ std::vector<std::string> charts_in_order(std::set<std::string> present,
 std::vector<std::string> ordered_names(const ReportData& data, std::string ReportCell::*member,
                                        const std::vector<std::string>& first) {
     std::set<std::string> present;
-    for (const auto* rows : {&data.cells, &data.stability, &data.from_files, &data.paging})
-        for (const ReportCell& row : *rows) present.insert(row.*member);
+    for (const ReportCell* row : cells_in({&data.cells, &data.stability, &data.from_files, &data.paging}))
+        present.insert(row->*member);
     return charts_in_order(std::move(present), first);
 }
 
@@ -115,10 +115,9 @@ std::vector<std::string> ordered_values(const ChartJson& values, const char* mem
 
 /// Returns the shapes by vertices, then name.
 std::vector<std::string> shapes_by_size(const ReportData& data) {
-    std::vector<std::string> names;
-    for (const auto& [vertices, name] : shapes_by_vertices(data))
-        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-    return names;
+    DistinctTexts names;
+    for (const auto& [vertices, name] : shapes_by_vertices(data)) names.place(name);
+    return names.texts();
 }
 
 /// One of `list` for each name; beyond its end they repeat.
@@ -163,14 +162,10 @@ ChartJson cell_json(const ReportCell& cell) {
 Chart chart_of_file(const std::string& name) {
     ChartJson file = spec_file(name);
     std::string how_to_read;
-    for (const ChartJson& line : file["how_to_read"])
-        how_to_read += (how_to_read.empty() ? "" : " ") + line.get<std::string>();
+    for (const ChartJson& line : file["how_to_read"]) append(how_to_read, line.get<std::string>(), " ");
     return {.name = name,
             .title = file["title"],
             .how_to_read = how_to_read,
-            .spec = nullptr,
-            .notes = {},
-            .fallback = {},
             .section = file.value("section", ""),
             .file = file};
 }
@@ -273,12 +268,10 @@ void add_misses(const ReportCell& cell, const ChartJson& named, Starts starts, C
             const std::string exponent = std::to_string(power);
             const store::StartNames names = family.misses.of(exponent);
             const measure::Figure misses = cell.figure(starts == Starts::warm ? names.warm() : names.all);
-            if (!misses.value) continue;
-            ChartJson row = named;
-            row["unit"] = family.units;
-            row["bytes"] = std::ldexp(1.0, power);
-            row["misses"] = *misses.value;
-            values.push_back(std::move(row));
+            if (misses.value)
+                add_point(
+                    values, named,
+                    {{"unit", family.units}, {"bytes", std::ldexp(1.0, power)}, {"misses", *misses.value}});
         }
     }
 }

@@ -21,7 +21,6 @@
 #include <string>
 #include <vector>
 
-#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 
@@ -40,17 +39,14 @@ struct Chart {
     std::string name;  ///< of its file and its element: "bytes"
     std::string title;
     std::string how_to_read;                ///< two or three sentences
-    ChartJson spec;                         ///< null when there is nothing to draw
-    std::vector<std::string> notes;         ///< what is not drawn, and why
-    TextGrid fallback;                      ///< the data as a small table, where no picture can be shown
+    ChartJson spec = {};                    ///< null when there is nothing to draw
+    std::vector<std::string> notes = {};    ///< what is not drawn, and why
+    TextGrid fallback = {};                 ///< the data as a small table, where no picture can be shown
     std::string section = {};               ///< of the chapter that shows it
     ChartJson file = {};                    ///< what its file says
     ChartJson points = ChartJson::array();  ///< the rows that it draws
     bool is_cited = false;                  ///< comes as PDF and CSV too (write_cited_figures)
 };
-
-/// Returns the specification of a chart as JSON; invalid UTF-8 in names is replaced.
-[[nodiscard]] inline std::string spec_text(const Chart& chart) { return input::json_text(chart.spec); }
 
 [[nodiscard]] Chart bytes_chart(const ReportData& data);
 [[nodiscard]] Chart time_chart(const ReportData& data);
@@ -96,6 +92,11 @@ void draw(Chart& chart, const ReportData& data, const ChartJson& values,
 
 /// Returns the members that name a cell in every chart's data.
 [[nodiscard]] ChartJson cell_json(const ReportCell& cell);
+/// Adds a row: the members that name it, then others.
+inline void add_point(ChartJson& values, ChartJson named, const ChartJson& others) {
+    named.update(others);
+    values.push_back(std::move(named));
+}
 /// Adds a time and its interval; both ends equal the time if no interval is stored.
 void add_time(ChartJson& row, const ReportCell& cell, const store::QueryTime& time);
 /// Which queries a chart is about: all, or those that start warm.
@@ -137,8 +138,7 @@ void add_timed_rows(ChartRows& rows, const std::vector<const ReportCell*>& cells
         if (more.is_null()) continue;
         ChartJson row = timed_row(*cell, rows.omitted);
         if (row.is_null()) continue;
-        row.update(more);
-        rows.values.push_back(std::move(row));
+        add_point(rows.values, std::move(row), more);
     }
 }
 

@@ -6,6 +6,7 @@
 // up to which a pair counts as touching: too small a tolerance leaves rounding to decide, too large a one
 // calls separated pairs touching.
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -33,12 +34,11 @@ ChartRows component_rows(const ReportData& data, const std::vector<std::string>&
                 rows.omitted.add(in_words(components[i]) + ": " + figure.reason);
                 continue;
             }
-            ChartJson row = cell_json(cell);
-            row["component"] = in_words(components[i]);
-            row["order"] = i;
-            row["bytes"] = *figure.value;
-            row["total"] = cell.figure("bytes.total_bytes_per_edge").value.value_or(0);
-            rows.values.push_back(std::move(row));
+            add_point(rows.values, cell_json(cell),
+                      {{"component", in_words(components[i])},
+                       {"order", i},
+                       {"bytes", *figure.value},
+                       {"total", cell.figure("bytes.total_bytes_per_edge").value.value_or(0)}});
         }
     }
     return rows;
@@ -136,27 +136,22 @@ Chart time_chart(const ReportData& data) {
 
 namespace {
 
-struct Number {
-    const char* name;
-    store::FigureName figure;
-};
-const Number numbers[] = {{"ns per query", "time.all_ns"},
-                          {"steps per query", store::mean_steps.all},
-                          {"lines of 64 bytes per query", store::lines_read.all}};
+const FigureColumn numbers[] = {{"ns per query", "time.all_ns"},
+                                {"steps per query", store::mean_steps.all},
+                                {"lines of 64 bytes per query", store::lines_read.all}};
 
 ChartRows seed_rows(const ReportData& data) {
     ChartRows rows;
     for (const SeededCell& of : seeded_cells(data)) {
-        for (const Number& number : numbers) {
-            const auto value = rows.omitted.positive(of.cell->figure(number.figure), "it is 0",
-                                                     std::string(number.name) + ": ");
+        for (const FigureColumn& number : numbers) {
+            const auto value =
+                rows.omitted.positive(of.cell->figure(number.figure), "it is 0", number.title + ": ");
             if (!value) continue;
-            ChartJson row = cell_json(*of.cell);
-            row["of"] = of.starts + ", " + std::to_string(of.cell->vertices) + " vertices";
-            row["number"] = number.name;
-            row["seed_bytes"] = of.seed_bytes;
-            row["value"] = *value;
-            rows.values.push_back(std::move(row));
+            add_point(rows.values, cell_json(*of.cell),
+                      {{"of", of.starts + ", " + std::to_string(of.cell->vertices) + " vertices"},
+                       {"number", number.title},
+                       {"seed_bytes", of.seed_bytes},
+                       {"value", *value}});
         }
     }
     return rows;
@@ -206,18 +201,6 @@ std::map<std::pair<std::string, std::string>, ToleranceCurve> tolerance_curves(c
     return curves;
 }
 
-/// Returns the members that name an algorithm on a table type.
-ChartJson table_json(const ReportData& data, const std::string& algorithm, const std::string& table) {
-    ChartJson result{{"algorithm", algorithm}, {"table", table}};
-    for (const ReportCell& row : data.stability) {
-        if (row.table != table) continue;
-        result["layout"] = row.layout;
-        result["precision"] = row.precision;
-        break;
-    }
-    return result;
-}
-
 }  // namespace
 
 Chart tolerance_chart(const ReportData& data) {
@@ -226,16 +209,16 @@ Chart tolerance_chart(const ReportData& data) {
         alike[{name.first, curve}].push_back(name.second);
     ChartRows rows;
     for (const auto& [key, tables] : alike) {
-        ChartJson named = table_json(data, key.first, tables.front());
+        const ReportCell& first = *std::ranges::find(data.stability, tables.front(), &ReportCell::table);
         std::string names;
         for (const std::string& table : tables) append(names, table);
-        named["table"] = names;
-        for (const auto& [tolerance, share] : key.second) {
-            ChartJson row = named;
-            row["tolerance"] = tolerance > 0 ? tolerance : place_of_zero;
-            row["share"] = share;
-            rows.values.push_back(std::move(row));
-        }
+        for (const auto& [tolerance, share] : key.second)
+            rows.values.push_back({{"algorithm", key.first},
+                                   {"table", names},
+                                   {"layout", first.layout},
+                                   {"precision", first.precision},
+                                   {"tolerance", tolerance > 0 ? tolerance : place_of_zero},
+                                   {"share", share}});
     }
     return drawn_chart(chart_of_file("tolerance"), data, std::move(rows));
 }

@@ -33,30 +33,18 @@ std::string title_of(const ReportCell& cell) {
 }
 
 /// Figures compared exactly: costs that a layout or an algorithm decides, each less when it is better.
-const std::vector<store::FigureName>& exact_costs() {
-    static const std::vector<store::FigureName> names = {steps_figure,
-                                                         "error.fallbacks",
-                                                         lines_figure,
-                                                         "lines.reads_per_query",
-                                                         "bytes.total_bytes_per_edge",
-                                                         "bytes.table_bytes",
-                                                         "bytes.voronoi_planes",
-                                                         "bytes.edge_geometry",
-                                                         "bytes.vertex_coordinates",
-                                                         "bytes.face_planes",
-                                                         "bytes.topology",
-                                                         "bytes.padding",
-                                                         "bytes.pair_bytes",
-                                                         "error.worst_error_given"};
-    return names;
-}
+constexpr store::FigureName exact_costs[] = {
+    "error.mean_steps",           "error.fallbacks",        "lines.lines_per_query", "lines.reads_per_query",
+    "bytes.total_bytes_per_edge", "bytes.table_bytes",      "bytes.voronoi_planes",  "bytes.edge_geometry",
+    "bytes.vertex_coordinates",   "bytes.face_planes",      "bytes.topology",        "bytes.padding",
+    "bytes.pair_bytes",           "error.worst_error_given"};
 
 void add_rows(const ReportCell& cell, std::vector<measure::RecordRow>& rows) {
     const std::string key = key_of(cell);
     const auto add = [&](std::string figure, const measure::Figure& value) {
         if (value.value) rows.push_back({key, std::move(figure), *value.value});
     };
-    for (const store::FigureName& name : exact_costs())
+    for (const store::FigureName& name : exact_costs)
         add(name.probe() + "." + name.name(), cell.figure(name));
     for (const store::FigureRow& figure : cell.figures)  // by machine and level
         if (figure.probe == "caches" && figure.name.ends_with(".misses_per_query"))

@@ -114,15 +114,13 @@ std::string answer_rows_html(const Answer& answer) {
 }  // namespace
 
 TextGrid answer_grid(const Answer& answer) {
-    TextGrid grid{"",
-                  columns_of("scene|tables|take|fastest|#time / paper's|#time / best GJK|#bytes per edge|"
-                             "#lines per query|#worst error"),
-                  {}};
+    TextGrid grid{"", columns_of("scene|tables|take|fastest|#time / paper's|#time / best GJK|#bytes per edge|"
+                                 "#lines per query|#worst error")};
     for (const SceneRanking* scene : answer.scenes()) {
         if (grid.rows.size() == most_answer_rows) break;
         const AnswerRow row = row_of(*scene);
-        grid.rows.push_back(grid_row(scene->label, scene->own_tables ? "each" : "shared", row.take,
-                                     row.tie_set, row.ratio, row.of_gjk, row.bytes, row.lines, row.error));
+        grid.add(scene->label, scene->own_tables ? "each" : "shared", row.take, row.tie_set, row.ratio,
+                 row.of_gjk, row.bytes, row.lines, row.error);
     }
     return grid;
 }

@@ -200,8 +200,6 @@ std::string page_html(const ReportData& data, const Answer& answer, const std::v
 
 namespace {
 
-std::string dumped(const ChartJson& json) { return input::json_text(json); }
-
 /// Seven digits: what a count up to ten million has, and more than any time.
 ChartJson rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
 
@@ -246,11 +244,9 @@ ChartJson figure_json(const std::string& name, FigureValues& column, std::size_t
         at.push_back(i);
         values.push_back(column.values[i]);
     }
-    if (2 * at.size() < cells) {
-        json["at"] = std::move(at), json["values"] = std::move(values);
-    } else {
-        json["values"] = std::move(column.values);
-    }
+    const bool is_rare = 2 * at.size() < cells;
+    if (is_rare) json["at"] = std::move(at);
+    json["values"] = is_rare ? std::move(values) : ChartJson(std::move(column.values));
     return json;
 }
 
@@ -300,14 +296,14 @@ std::string cells_data(const ReportData& data) {
     }
     ChartJson columns = ChartJson::array();
     for (auto& [name, column] : figures) columns.push_back(figure_json(name, column, cells.size()));
-    return dumped(
-        {{"cells", identity_columns(cells)}, {"figures", std::move(columns)}, {"reasons", reasons.texts()}});
+    return input::json_text(ChartJson{
+        {"cells", identity_columns(cells)}, {"figures", std::move(columns)}, {"reasons", reasons.texts()}});
 }
 
 std::string grids_data(const std::vector<TextGrid>& grids) {
     ChartJson all = ChartJson::array();
     for (const TextGrid& grid : grids) all.push_back(grid_json(grid));
-    return dumped(all);
+    return input::json_text(all);
 }
 
 std::string charts_data(const std::vector<Chart>& charts) {
@@ -319,7 +315,7 @@ std::string charts_data(const std::vector<Chart>& charts) {
             spec["data"]["values"] = columns_json(spec["data"]["values"]);
         all[chart.name] = std::move(spec);
     }
-    return dumped(all);
+    return input::json_text(all);
 }
 
 }  // namespace edgewise::reports

@@ -66,9 +66,8 @@ void add_stills(const std::vector<Chart>& charts, const std::set<std::string>& t
     for (const Chart& chart : charts) {
         const auto svg = pictures.svg.find(chart.name);
         if (svg == pictures.svg.end() || keep(chart, svg->second)) continue;
-        Chart few = chart;
-        few.spec = of_tables(chart, tables);
-        input::write_output(folder / (chart.name + ".vl.json"), spec_text(few) + "\n");
+        input::write_output(folder / (chart.name + ".vl.json"),
+                            input::json_text(of_tables(chart, tables)) + "\n");
         again.push_back(chart.name);
     }
     if (!again.empty() && render(again, folder, bundles).empty())
@@ -89,7 +88,7 @@ StaticPictures write_pictures(const std::vector<Chart>& charts, const std::set<s
         std::filesystem::remove(figures / (chart.name + ".svg"), ignored);
         std::filesystem::remove(figures / (chart.name + ".vl.json"), ignored);
         if (chart.spec.is_null()) continue;
-        input::write_output(figures / (chart.name + ".vl.json"), spec_text(chart) + "\n");
+        input::write_output(figures / (chart.name + ".vl.json"), input::json_text(chart.spec) + "\n");
         names.push_back(chart.name);
     }
     StaticPictures result;

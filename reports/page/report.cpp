@@ -62,13 +62,6 @@ std::set<std::string> few_tables(const Answer& answer) {
     return tables;
 }
 
-/// Returns the picture of the first scene that has one.
-std::string answer_picture(const Answer& answer) {
-    for (const SceneRanking* scene : answer.scenes())
-        if (std::string svg = time_bytes_svg(*scene); !svg.empty()) return svg;
-    return {};
-}
-
 /// Writes figures/NAME.svg, or removes an old file if there is no picture now.
 void write_picture(const std::string& name, const std::string& svg, const std::filesystem::path& out) {
     const std::filesystem::path file = out / "figures" / (name + ".svg");
@@ -102,7 +95,10 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     const std::string no_pdf = write_cited_figures(data, charts, pictures, out);
     begin("results");
     write_results(data, out);
-    write_picture("answer", answer_picture(answer), out);
+    std::string picture;  // of the first scene that has one
+    for (const SceneRanking* scene : answer.scenes())
+        if (picture.empty()) picture = time_bytes_svg(*scene);
+    write_picture("answer", picture, out);
     write_picture("break_even", break_even_svg(break_even_map(data, answer.question.error_limit)), out);
     begin("chapters");
     std::vector<Chapter> chapters = report_chapters(answer, data, charts);
@@ -138,10 +134,9 @@ std::string list(const std::vector<std::string>& items) {
 std::string decisions_markdown(const ReportData& data, const Answer& answer) {
     const DecisionTable table =
         Decisions(data, {.error_limit = answer.question.error_limit}).table(answer.question.error_limit);
-    TextGrid grid{"", columns_of("body|shared table|a table each"), {}};
+    TextGrid grid{"", columns_of("body|shared table|a table each")};
     for (const DecisionRow& row : table.rows)
-        grid.rows.push_back(grid_row(fmt::format("{} ({} vertices)", row.shape, row.vertices),
-                                     row.shared.text(), row.own.text()));
+        grid.add(fmt::format("{} ({} vertices)", row.shape, row.vertices), row.shared.text(), row.own.text());
     const AnswerText text = answer_text(answer, data);
     return fmt::format("**{}**\n\n{}What would change this:\n\n{}{} {} {}\n\n", markdown_text(table.sentence),
                        grid_markdown(grid), list(table.changes), markdown_text(text.conditions),
@@ -153,8 +148,7 @@ std::string bytes_markdown(const ReportData& data, const Answer& answer) {
     TextGrid all = bytes_grid(data, reference_shape(data));
     TextGrid few{fmt::format("{}: bytes per edge of whole tables, smallest first, and the paper's layout",
                              reference_shape(data)),
-                 columns_of("algorithm|table type|#total|#paper's subtotal (slope)|#table, bytes"),
-                 {}};
+                 columns_of("algorithm|table type|#total|#paper's subtotal (slope)|#table, bytes")};
     const std::size_t total = all.columns.size() - 4;
     std::ranges::stable_sort(all.rows, [&](const auto& a, const auto& b) {
         return a[total].why.empty() && b[total].why.empty() &&

@@ -89,11 +89,6 @@ std::string strip_line(double x1, double x2, double y1, double y2, const char* s
     return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"{}\"/>", x1, y1, x2, y2, style);
 }
 
-std::string strip_opening(const std::string& label) {
-    return fmt::format("<svg class=\"strip\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
-                       strip_width, strip_height, html_text(label));
-}
-
 std::string strip_label(const SceneRanking& scene) {
     const RankedCell* choice = scene.choice();
     const RankedCell &first = scene.cells.front(), &last = scene.cells.back();
@@ -124,7 +119,9 @@ StripAxis strip_axis(const std::vector<const SceneRanking*>& scenes) {
 
 std::string strip_svg(const SceneRanking& scene, const StripAxis& axis) {
     const LogScale x = strip_scale(axis);
-    std::string svg = strip_opening(strip_label(scene));
+    std::string svg =
+        fmt::format("<svg class=\"strip\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", strip_width,
+                    strip_height, html_text(strip_label(scene)));
     if (scene.own_variation.factor)
         svg += fmt::format(
             "<rect x=\"{:.1f}\" y=\"0\" width=\"{:.1f}\" height=\"{}\" class=\"noise\"/>",
@@ -295,16 +292,13 @@ std::string map_text(double x, double y, double room, const std::string& text, c
 
 /// Returns the bar at the left end of a place: a part for each layout that wins or ties, at most four.
 std::string map_bar_of(const MapCell& cell, double x, double y) {
-    constexpr std::size_t most_parts = 4;
-    std::vector<const RankedCell*> parts;
-    for (const std::size_t i : cell.scene->ties)
-        if (parts.size() < most_parts) parts.push_back(&cell.scene->cells[i]);
-    const double height = (map_cell_height - map_gap) / static_cast<double>(parts.size());
+    const std::size_t parts = std::min<std::size_t>(cell.scene->ties.size(), 4);
+    const double height = (map_cell_height - map_gap) / static_cast<double>(parts);
     std::string svg;
-    for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t i = 0; i < parts; ++i)
         svg += fmt::format("<path d=\"M{:.0f} {:.1f}h{}v{:.1f}h-{}z\" fill=\"{}\"/>", x,
                            y + height * static_cast<double>(i), map_bar, height, map_bar,
-                           store::layout_colour(parts[i]->cell->layout));
+                           store::layout_colour(cell.scene->cells[cell.scene->ties[i]].cell->layout));
     return svg;
 }
 
@@ -347,11 +341,6 @@ std::string map_columns_svg(const std::vector<MapColumn>& columns) {
     return svg;
 }
 
-std::string map_panel_title(const MapPanel& panel) {
-    const std::string only = panel.only_algorithm();
-    return only.empty() ? panel.tables : fmt::format("{} ({} alone was timed)", panel.tables, only);
-}
-
 }  // namespace
 
 std::string break_even_svg(const BreakEvenMap& map) {
@@ -360,7 +349,9 @@ std::string break_even_svg(const BreakEvenMap& map) {
     std::string body = map_columns_svg(map.columns);
     double y = map_head;
     for (const MapPanel& panel : map.panels) {
-        body += map_text(0, y + 14, width, map_panel_title(panel), "panel");
+        const std::string only = panel.only_algorithm();
+        const std::string alone = only.empty() ? "" : fmt::format(" ({} alone was timed)", only);
+        body += map_text(0, y + 14, width, panel.tables + alone, "panel");
         y += map_panel_head;
         for (const MapRow& row : panel.rows) {
             body += map_text(0, y + map_cell_height / 2 + 2, map_left - 6, row.coherence, "");

@@ -149,11 +149,6 @@ struct ResultFile {
     Columns columns;
 };
 
-/// What the rows of a file have in common: "tumble", of a study "stability", "effort_tumble".
-std::string subject_of(const ReportCell& cell) {
-    return cell.run == store::sweep_run || cell.scene == cell.run ? cell.scene : cell.run + "_" + cell.scene;
-}
-
 /// Their names; a user's scene that is called like a study is another file.
 std::map<std::pair<std::string, std::string>, std::string> names_of(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, std::string> names;
@@ -163,7 +158,8 @@ std::map<std::pair<std::string, std::string>, std::string> names_of(const Report
         for (const ReportCell* cell : cells) {
             if ((cell->run == store::sweep_run) != swept || names.contains({cell->run, cell->scene}))
                 continue;
-            const std::string name = file_name_of(subject_of(*cell), taken);
+            const bool plain = swept || cell->scene == cell->run;  // else "effort_tumble"
+            const std::string name = file_name_of(plain ? cell->scene : cell->run + "_" + cell->scene, taken);
             taken.insert(name);
             names[{cell->run, cell->scene}] = name + ".csv";
         }
@@ -185,12 +181,6 @@ std::map<std::string, ResultFile> result_files(const ReportData& data) {
     return files;
 }
 
-std::map<std::string, const store::FigureRow*> figures_by_key(const ReportCell& cell) {
-    std::map<std::string, const store::FigureRow*> by_key;
-    for (const store::FigureRow& figure : cell.figures) by_key.emplace(figure_key(figure), &figure);
-    return by_key;
-}
-
 /// Units of each column, as stored; how many cells of a file lack it, by why and what would help.
 struct About {
     std::map<std::pair<std::size_t, std::string>, std::set<std::string>> units;
@@ -201,7 +191,8 @@ std::string row_of(const ReportData& data, const ReportCell& cell, const std::st
                    const Columns& columns, About& about) {
     CsvRow row;
     add_identity(row, data, cell);
-    const auto by_key = figures_by_key(cell);
+    std::map<std::string, const store::FigureRow*> by_key;
+    for (const store::FigureRow& figure : cell.figures) by_key.emplace(figure_key(figure), &figure);
     for (const auto& column : columns) {
         const auto found = by_key.find(column.second);
         // Why there is none, where there is none.

@@ -117,11 +117,8 @@ const store::FigureInfo* main_info(const std::string& key) {
 }
 
 std::vector<const ReportCell*> every_cell(const ReportData& data) {
-    std::vector<const ReportCell*> all;
-    for (const auto* cells : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort,
-                              &data.fields, &data.other_studies, &data.peers})
-        for (const ReportCell& cell : *cells) all.push_back(&cell);
-    return all;
+    return cells_in({&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort, &data.fields,
+                     &data.other_studies, &data.peers});
 }
 
 void add_identity_header(CsvRow& row) {

@@ -54,7 +54,9 @@ bool disagree(const Ranked& a, const Ranked& b) {
            (before(b.lru, a.lru) && before(a.other, b.other));
 }
 
-std::vector<GridCell> policy_row(const std::vector<GridCell>& group, const std::vector<Ranked>& tables) {
+using PolicyGroup = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+
+std::vector<GridCell> policy_row(const PolicyGroup& group, const std::vector<Ranked>& tables) {
     std::size_t pairs = 0, changed = 0;
     std::string example = "–";
     for (std::size_t i = 0; i < tables.size(); ++i) {
@@ -67,11 +69,9 @@ std::vector<GridCell> policy_row(const std::vector<GridCell>& group, const std::
                                 tables[i].other, tables[j].table, tables[j].lru, tables[j].other);
         }
     }
-    std::vector<GridCell> row = group;
-    row.insert(
-        row.end(),
-        {{std::to_string(pairs)}, {std::to_string(changed)}, {changed == 0 ? "no" : "yes"}, {example}});
-    return row;
+    const auto& [scene, shape, algorithm, policy, level] = group;
+    return grid_row(scene, shape, algorithm, policy, level, pairs, changed, changed == 0 ? "no" : "yes",
+                    example);
 }
 
 /// A level of a machine under another policy: "zen5/random" and "L1D".
@@ -263,8 +263,7 @@ TextGrid policy_grid(const ReportData& data) {
         "Does a replacement policy or a prefetcher change the ranking by misses? (LRU without prefetching first)",
         columns_of("scene|shape|algorithm|machine and policy|level|#pairs of tables|#in another order|"
                    "ranking changes|first example (misses under LRU, under the policy)")};
-    using Group = std::tuple<std::string, std::string, std::string, std::string, std::string>;
-    std::map<Group, std::vector<Ranked>> groups;
+    std::map<PolicyGroup, std::vector<Ranked>> groups;
     for (const ReportCell* cell : modelled_cells(data)) {
         for (const auto& [policy, level] : policy_levels(*cell)) {
             const std::string machine = policy.substr(0, policy.find('/'));
@@ -275,10 +274,7 @@ TextGrid policy_grid(const ReportData& data) {
                     {cell->table, *lru, *other});
         }
     }
-    for (const auto& [key, tables] : groups) {
-        const auto& [scene, shape, algorithm, policy, level] = key;
-        grid.rows.push_back(policy_row({{scene}, {shape}, {algorithm}, {policy}, {level}}, tables));
-    }
+    for (const auto& [group, tables] : groups) grid.rows.push_back(policy_row(group, tables));
     return grid;
 }
 

@@ -34,17 +34,15 @@ std::string one_or_many(const std::set<std::string>& names, const char* noun) {
 void add_status(TextGrid& grid, const ReportData& data, store::CellStatus status) {
     std::vector<std::pair<std::string, std::string>> order;
     std::map<std::pair<std::string, std::string>, Problem> problems;
-    for (const auto* rows : {&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort,
-                             &data.fields, &data.other_studies}) {
-        for (const ReportCell& row : *rows) {
-            if (row.status != status) continue;
-            const auto key = std::make_pair(row.shape, row.reason);
-            Problem& problem = problems[key];
-            if (problem.cells++ == 0) order.push_back(key);
-            problem.scenes.insert(row.scene_label);
-            problem.algorithms.insert(row.algorithm);
-            problem.tables.insert(row.table);
-        }
+    for (const ReportCell* row : cells_in({&data.cells, &data.from_files, &data.stability, &data.paging,
+                                           &data.effort, &data.fields, &data.other_studies})) {
+        if (row->status != status) continue;
+        const auto key = std::make_pair(row->shape, row->reason);
+        Problem& problem = problems[key];
+        if (problem.cells++ == 0) order.push_back(key);
+        problem.scenes.insert(row->scene_label);
+        problem.algorithms.insert(row->algorithm);
+        problem.tables.insert(row->table);
     }
     for (const auto& key : order) {
         const Problem& problem = problems[key];
@@ -137,9 +135,7 @@ void add(TextGrid& grid, const std::string& key, const std::string& value) {
 
 std::string seeds(const ReportData& data) {
     std::map<std::uint64_t, std::size_t> distinct;
-    for (const auto* cells : {&data.cells, &data.from_files}) {
-        for (const ReportCell& cell : *cells) ++distinct[cell.seed];
-    }
+    for (const ReportCell* cell : data.swept()) ++distinct[cell->seed];
     std::string out;
     std::size_t shown = 0;
     for (const auto& [seed, cells] : distinct) {
@@ -318,9 +314,7 @@ TextGrid error_grid(const ReportData& data) {
 TextGrid stability_summary_grid(const ReportData& data) {
     TextGrid grid = figure_grid("Over all families: sums of counts, worst of the rest",
                                 "algorithm|table type|#families|#failed", stability_columns);
-    Rows all;
-    for (const ReportCell& row : data.stability) all.push_back(&row);
-    add_summary(grid, all, stability_columns, [](const Rows& rows) {
+    add_summary(grid, cells_in({&data.stability}), stability_columns, [](const Rows& rows) {
         const auto failed = std::ranges::count_if(rows, [](const ReportCell* row) { return row->failed(); });
         return std::array{rows.size(), static_cast<std::size_t>(failed)};
     });

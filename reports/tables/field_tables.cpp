@@ -52,13 +52,9 @@ GridCell time_cell(const ReportCell& row, const char* whose) {
                          row.figure(ratio_high.of(whose)), 3);
 }
 
-GridCell verdict_cell(const measure::Figure& figure) {
+GridCell verdict_cell(const measure::Figure& figure, const char* at_zero) {
     if (!figure.value) return figure_cell(figure);
-    return {*figure.value > 0 ? "held" : *figure.value < 0 ? "did not hold" : "within the noise"};
-}
-GridCell lines_verdict_cell(const measure::Figure& figure) {
-    if (!figure.value) return figure_cell(figure);
-    return {*figure.value > 0 ? "held" : "did not hold"};
+    return {*figure.value > 0 ? "held" : *figure.value < 0 ? "did not hold" : at_zero};
 }
 
 std::vector<const ReportCell*> verified_rows(const ReportData& data) {
@@ -85,9 +81,9 @@ TextGrid field_advice_grid(const ReportData& data) {
         auto cells = grid_row(
             row->scene_label, row->shape, row->algorithm, row->table, row->figure(field_lines.of("original")),
             row->figure(field_lines.of("predicted")), row->figure(field_lines.of("advised")),
-            lines_verdict_cell(row->figure(lines_held)), row->figure(unseen.of("original")),
+            verdict_cell(row->figure(lines_held), "did not hold"), row->figure(unseen.of("original")),
             row->figure(unseen.of("advised")), time_cell(*row, "advised"), time_cell(*row, "control"),
-            verdict_cell(row->figure(time_held)), row->figure(field_lines.of("beside")),
+            verdict_cell(row->figure(time_held), "within the noise"), row->figure(field_lines.of("beside")),
             time_cell(*row, "beside"));
         for (const auto& [machine, level] : levels)
             for (const char* whose : {"original", "advised"})

@@ -32,16 +32,12 @@ std::vector<bool> pareto_front(std::span<const SpeedError> points) {
 
 namespace {
 
-/// Axes that place tables, and GJK's tolerance, leave the question as it is.
-bool asks_another_question(const ReportCell& cell) {
-    return cell.axis("needs") || cell.axis("contact_tolerance");
-}
-
 /// Returns why a timed cell has no place among the points; if it has one, sets `point` and returns an empty
 /// text.
 std::string read_point(const ReportCell& cell, FrontPoint& point) {
     if (cell.is_raw()) return "raw V-Clip is judged, and not for its speed";
-    if (asks_another_question(cell)) return "its axis asks another question";
+    // Axes that place tables, and GJK's tolerance, leave the question as it is.
+    if (cell.axis("needs") || cell.axis("contact_tolerance")) return "its axis asks another question";
     const measure::Figure time = cell.figure(store::separated_time.ns);
     if (!time.value) return "time: " + time.reason;
     if (!(*time.value > 0)) return "a time of 0 has no place on a logarithmic axis";
@@ -64,11 +60,6 @@ void find_front(std::vector<FrontPoint>& points, std::size_t kind) {
     for (std::size_t i = 0; i < whose.size(); ++i) whose[i]->on_front[kind] = front[i];
 }
 
-void finish(FrontPanel& panel) {
-    std::ranges::stable_sort(panel.points, {}, &FrontPoint::ns);
-    for (std::size_t kind = 0; kind < error_kind_count; ++kind) find_front(panel.points, kind);
-}
-
 }  // namespace
 
 bool FrontPoint::on_any_front() const {
@@ -81,23 +72,22 @@ Fronts fronts_of(const ReportData& data) {
     const std::vector<std::string> scenes = scene_labels(data);
     std::map<std::tuple<std::ptrdiff_t, std::int64_t, std::string>, FrontPanel> panels;
     Fronts fronts;
-    for (const auto* from : {&data.cells, &data.from_files, &data.peers}) {
-        for (const ReportCell& cell : *from) {
-            if (!cell.is_timed()) continue;
-            FrontPoint point{};
-            std::string why = read_point(cell, point);
-            if (!why.empty()) {
-                fronts.left_out.emplace_back(&cell, std::move(why));
-                continue;
-            }
-            const auto scene = std::ranges::find(scenes, cell.scene_label) - scenes.begin();
-            FrontPanel& panel = panels[{scene, cell.vertices, cell.shape}];
-            panel.scene_label = cell.scene_label, panel.shape = cell.shape, panel.vertices = cell.vertices;
-            panel.points.push_back(point);
+    for (const ReportCell* cell : cells_in({&data.cells, &data.from_files, &data.peers})) {
+        if (!cell->is_timed()) continue;
+        FrontPoint point{};
+        std::string why = read_point(*cell, point);
+        if (!why.empty()) {
+            fronts.left_out.emplace_back(cell, std::move(why));
+            continue;
         }
+        const auto scene = std::ranges::find(scenes, cell->scene_label) - scenes.begin();
+        FrontPanel& panel = panels[{scene, cell->vertices, cell->shape}];
+        panel.scene_label = cell->scene_label, panel.shape = cell->shape, panel.vertices = cell->vertices;
+        panel.points.push_back(point);
     }
     for (auto& [key, panel] : panels) {
-        finish(panel);
+        std::ranges::stable_sort(panel.points, {}, &FrontPoint::ns);
+        for (std::size_t kind = 0; kind < error_kind_count; ++kind) find_front(panel.points, kind);
         fronts.panels.push_back(std::move(panel));
     }
     return fronts;
@@ -117,29 +107,24 @@ std::string fronts_it_is_on(const FrontPoint& point) {
     return list;
 }
 
-std::vector<GridCell> front_row(const FrontPanel& panel, const FrontPoint& point) {
-    const ReportCell& cell = *point.cell;
-    std::vector<GridCell> row = grid_row(panel.scene_label, panel.shape, panel.vertices, front_name(cell),
-                                         front_table(cell), cell.figure(store::separated_time.ns));
-    for (const ErrorKind& kind : error_kinds) row.push_back(grid_cell(cell.figure(kind.figure)));
-    for (GridCell& last : grid_row(fronts_it_is_on(point), cell.figure("error.wrong_verdicts"),
-                                   cell.figure("error.checked"), panel.points.size()))
-        row.push_back(std::move(last));
-    return row;
-}
-
 }  // namespace
 
 TextGrid front_grid(const ReportData& data, const std::string& shape) {
     TextGrid grid{"On a front of time and error: by scene and shape, fastest first",
                   columns_of("scene|shape|#vertices|algorithm or library|table type or precision|"
                              "#ns per query|#p50 error|#p99.9 error|#worst error|on the front of|"
-                             "#wrong verdicts|#checked|#cells compared"),
-                  {}};
+                             "#wrong verdicts|#checked|#cells compared")};
     for (const FrontPanel& panel : fronts_of(data).panels) {
         if (!shape.empty() && panel.shape != shape) continue;
-        for (const FrontPoint& point : panel.points)
-            if (point.on_any_front()) grid.rows.push_back(front_row(panel, point));
+        for (const FrontPoint& point : panel.points) {
+            if (!point.on_any_front()) continue;
+            const ReportCell& cell = *point.cell;
+            grid.add(panel.scene_label, panel.shape, panel.vertices, front_name(cell), front_table(cell),
+                     cell.figure(store::separated_time.ns), cell.figure(error_kinds[0].figure),
+                     cell.figure(error_kinds[1].figure), cell.figure(error_kinds[2].figure),
+                     fronts_it_is_on(point), cell.figure("error.wrong_verdicts"),
+                     cell.figure("error.checked"), panel.points.size());
+        }
     }
     return grid;
 }
@@ -149,10 +134,9 @@ TextGrid left_out_grid(const ReportData& data) {
     for (const auto& [cell, why] : fronts_of(data).left_out)
         ++cells[{front_name(*cell), front_table(*cell), why}];
     TextGrid grid{"Timed and among no points",
-                  columns_of("algorithm or library|table type or precision|#cells|why"),
-                  {}};
+                  columns_of("algorithm or library|table type or precision|#cells|why")};
     for (const auto& [key, count] : cells)
-        grid.rows.push_back(grid_row(std::get<0>(key), std::get<1>(key), count, std::get<2>(key)));
+        grid.add(std::get<0>(key), std::get<1>(key), count, std::get<2>(key));
     return grid;
 }
 

@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
@@ -36,12 +34,6 @@ const FigureColumn total_columns[] = {{"total", "bytes.total_bytes_per_edge"},
 /// Largest first; those without a total last.
 double sort_total(const ReportCell& cell) {
     return cell.figure("bytes.total_bytes_per_edge").value.value_or(-1);
-}
-
-std::string key(const std::vector<GridCell>& row) {
-    std::string joined;
-    for (const GridCell& cell : row) joined += cell.text + '\x1f' + cell.why + '\x1e';
-    return joined;
 }
 
 }  // namespace
@@ -83,13 +75,13 @@ TextGrid bytes_grid(const ReportData& data, const std::string& shape) {
         return std::tie(b->vertices, a->shape, b->algorithm, total_b, a->table) <
                std::tie(a->vertices, b->shape, a->algorithm, total_a, b->table);
     });
-    std::set<std::string> seen;
+    std::set<std::vector<GridCell>> seen;
     for (const ReportCell* cell : cells) {
         std::vector<GridCell> row = grid_row(cell->algorithm, cell->table);
         if (all_shapes) row = grid_row(cell->shape, cell->edges, cell->algorithm, cell->table);
         for (const std::string& name : components) row.push_back(figure_cell(cell->figure("bytes", name)));
         add_row(grid, std::move(row), *cell, total_columns);
-        if (!seen.insert(key(grid.rows.back())).second) grid.rows.pop_back();
+        if (!seen.insert(grid.rows.back()).second) grid.rows.pop_back();
     }
     return grid;
 }
@@ -218,9 +210,7 @@ const FigureColumn seed_columns[] = {{"ns per query", "time.all_ns", 1, 0},
 /// How the scene's queries start, if all of them start far from their answers; else nothing.
 std::string far_start(const ReportCell& cell) {
     if (cell.scene == "cold") return "cold";
-    const auto parameters = input::json_or_null(cell.scene_parameters);
-    const bool random =
-        cell.scene == "tumble" && parameters.is_object() && parameters.value("random_orientation", 0.0) != 0;
+    const bool random = cell.scene == "tumble" && parameter_of(cell, "random_orientation").value_or(0) != 0;
     return random ? "random orientation" : "";
 }
 

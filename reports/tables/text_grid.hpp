@@ -18,6 +18,8 @@ namespace edgewise::reports {
 struct GridCell {
     std::string text;
     std::string why = {};  ///< not empty: there is no value, and this is the reason; text is "not measured"
+
+    auto operator<=>(const GridCell&) const = default;
 };
 
 struct GridColumn {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -110,14 +111,11 @@ bool asks(const ReportCell& cell, bool verdict) {
 /// fastest first.
 std::vector<const ReportCell*> side_by_side(const ReportData& data, const std::string& scene_label,
                                             const std::string& shape, bool verdict) {
-    std::vector<const ReportCell*> cells;
-    for (const auto* from : {&data.cells, &data.from_files, &data.peers}) {
-        for (const ReportCell& cell : *from) {
-            if (cell.scene_label == scene_label && cell.shape == shape && cell.is_timed() &&
-                asks(cell, verdict))
-                cells.push_back(&cell);
-        }
-    }
+    std::vector<const ReportCell*> cells = cells_in({&data.cells, &data.from_files, &data.peers});
+    std::erase_if(cells, [&](const ReportCell* cell) {
+        return cell->scene_label != scene_label || cell->shape != shape || !cell->is_timed() ||
+               !asks(*cell, verdict);
+    });
     std::ranges::stable_sort(
         cells, {}, [](const ReportCell* cell) { return or_infinity(*cell, store::separated_time.ns); });
     return cells;
@@ -182,10 +180,8 @@ TextGrid peer_grid(const ReportData& data, const std::string& scene_label) {
                   columns_of("shape|#vertices|algorithm or library|table type or precision|#ns per query|"
                              "#ratio to the fastest peer|#worst error|#p99 error|#wrong verdicts|"
                              "#checked|#bytes of a table|#of its object|#of a pair")};
-    std::vector<std::pair<std::int64_t, std::string>> shapes;
-    for (const ReportCell& cell : data.peers) shapes.emplace_back(cell.vertices, cell.shape);
-    std::ranges::sort(shapes);
-    shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
+    std::set<std::pair<std::int64_t, std::string>> shapes;
+    for (const ReportCell& cell : data.peers) shapes.emplace(cell.vertices, cell.shape);
     for (const auto& [vertices, shape] : shapes) {
         for (const bool verdict : {false, true}) {
             const std::vector<const ReportCell*> cells = side_by_side(data, scene_label, shape, verdict);
@@ -206,9 +202,8 @@ constexpr const char* names = "scene|shape|algorithm or library|table type or pr
 
 /// Rows that were measured at all, by scene and shape; those that were not counted go last.
 std::vector<const ReportCell*> in_order(const ReportData& data) {
-    std::vector<const ReportCell*> rows;
-    for (const ReportCell& row : data.effort)
-        if (row.is_timed()) rows.push_back(&row);
+    std::vector<const ReportCell*> rows = cells_in({&data.effort});
+    std::erase_if(rows, [](const ReportCell* row) { return !row->is_timed(); });
     std::ranges::stable_sort(rows, [](const ReportCell* a, const ReportCell* b) {
         return std::tuple(a->scene_label, a->vertices, a->shape, or_infinity(*a, "effort.instructions")) <
                std::tuple(b->scene_label, b->vertices, b->shape, or_infinity(*b, "effort.instructions"));
@@ -217,21 +212,18 @@ std::vector<const ReportCell*> in_order(const ReportData& data) {
 }
 
 /// Names of the machines with simulated caches, in order.
-std::vector<std::string> machines_of(const ReportData& data) {
+std::set<std::string> machines_of(const ReportData& data) {
     constexpr store::FigureName misses("effort.{machine}.d1_misses");
-    std::vector<std::string> machines;
-    for (const ReportCell& row : data.effort) {
+    std::set<std::string> machines;
+    for (const ReportCell& row : data.effort)
         for (const store::FigureRow& figure : row.figures)
             if (auto machine = misses.value_in(figure.probe, figure.name))
-                machines.push_back(std::move(*machine));
-    }
-    std::ranges::sort(machines);
-    machines.erase(std::unique(machines.begin(), machines.end()), machines.end());
+                machines.insert(std::move(*machine));
     return machines;
 }
 
 /// `machines` must outlive the columns.
-std::vector<FigureColumn> spent_columns(const std::vector<std::string>& machines) {
+std::vector<FigureColumn> spent_columns(const std::set<std::string>& machines) {
     constexpr store::FigureName d1("effort.{machine}.d1_misses"), ll("effort.{machine}.ll_misses");
     std::vector<FigureColumn> columns = {{"instructions", "effort.instructions"},
                                          {"mispredictions, modelled", "effort.mispredictions"}};
@@ -255,7 +247,7 @@ std::vector<FigureColumn> spent_columns(const std::vector<std::string>& machines
 }  // namespace
 
 TextGrid effort_grid(const ReportData& data) {
-    const std::vector<std::string> machines = machines_of(data);
+    const std::set<std::string> machines = machines_of(data);
     return cell_grid("Per query of all queries, fewest instructions first", names, spent_columns(machines),
                      in_order(data));
 }

@@ -111,20 +111,31 @@ TEST(Recorded, IsMeasuredLikeAnyScene) {
     folder.write("fall.jsonl", falling(0.004));
     folder.write("both.json",
                  R"({"scene": "recorded", "recording": "fall.jsonl", "vary": {"own_tables": [0, 1]}})");
-    folder.write("plan.json", R"({"scenes": [{"name": "fall.jsonl", "caches": ["all"]}, {"name": "both.json"},
+    folder.write(
+        "plan.json",
+        R"({"scenes": [{"name": "fall.jsonl", "caches": ["all"], "axes": ["radius=recorded"]}, {"name": "both.json"},
         {"name": "tumble", "shapes": ["cube8"]}], "shapes": ["cube8"], "meshes": [],
         "layouts": ["aos_f64", "lean_f32", "points_soa_f32"],
         "queries": 200, "checked": 50, "rounds": 3, "stability": 0, "coherence": 100, "machines": ["zen5"]})");
     const Outcome outcome = run({"sweep", "--plan", "plan.json", "--json"}, folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    EXPECT_EQ(summary["verified"], 4 * 5);
+    EXPECT_EQ(summary["verified"], 5 * 5);
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["coherence_rows"], 4);
     EXPECT_THAT(
         outcome.err,
         HasSubstr("recording fall: the cores are asked, without the radii (to 0.05) of 3 of 3 bodies"));
     const auto store = folder / "reports/out/edgewise.db";
+    const auto separated = [&](const std::string& axes) {
+        return rows_of(
+            store,
+            "select distinct value from cell join figure using (hash) where scene = 'fall' and name = "
+            "'separated' and run = 'sweep' and axes = '" +
+                axes + "'");
+    };
+    EXPECT_THAT(separated("radius=recorded"), testing::ElementsAre("0"));
+    EXPECT_THAT(separated(""), testing::ElementsAre("0"));
     EXPECT_EQ(
         rows_of(store,
                 "select distinct json_extract(scene_parameters, '$.own_tables') || ' ' || value from cell "

@@ -58,11 +58,12 @@ TEST(Sweep, NamedLayoutsAreAskedInScenesThatThePlanRestricts) {
 TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     const Folder folder;
     const Outcome outcome = run(
-        with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001,sub_distance=johnson"}), folder);
+        with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001,sub_distance=johnson,radius=0.1"}),
+        folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    // The gap and the solver are GJK's alone: four cells for V-Clip's two.
-    EXPECT_EQ(summary["cells"], 2 * 3 * (2 + 4));
+    // The gap and the solver are GJK's alone: five cells for V-Clip's three.
+    EXPECT_EQ(summary["cells"], 2 * 3 * (3 + 5));
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"), HasSubstr("aos_f32 gap_tolerance=0.001"));
     EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"),

@@ -244,8 +244,7 @@ class NumberFile {
 
 void write_questions(const std::string& to, const std::string& type) {
     NumberFile file(to);
-    const std::vector<std::string> names = {type};
-    const bench::TableType& asked = *bench::select_table_types(names).front();
+    const bench::TableType& asked = bench::table_type_called(type);
     for_all_workloads([&](const auto& set, const auto&, const auto&, const auto& workload) {
         const auto runner = asked.make_runner("gjk");
         if (runner->load(workload).empty()) file.write(set, workload, *runner);

@@ -46,6 +46,10 @@ edgewise_mutant(upper_proof_is_skipped algorithms/subset.hpp [[return norm(weigh
     ReachesClosest.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(lower_proof_is_skipped algorithms/kept_simplex.hpp [[return length - below <= std::max(Tolerance<Number>::open_gap * size_, open);]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(box_edges_by_a_constant algorithms/box_verdict.hpp [[least * (part_p + part_q)]] [[least]]
+    BoxVerdict.* ${unit}/algorithms/box_verdict_test.cpp)
+edgewise_mutant(box_tolerance_by_axes_alone algorithms/box_verdict.hpp [[contact_tolerance == 0 || !boxes.separate(0, axis)]] [[true]]
+    BoxVerdict.* ${unit}/algorithms/box_verdict_test.cpp)
 set(search ${unit}/algorithms/single_search_test.cpp ${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/search/single_search.cpp)
 edgewise_mutant(search_is_believed algorithms/gjk.hpp [[if (!kept.rests_on_all() || !kept.is_proven(options_)) return false;]]
     [[if (!kept.rests_on_all()) return false;]] GjkNearContact.* ${unit}/algorithms/near_contact_test.cpp)

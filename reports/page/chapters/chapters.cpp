@@ -61,17 +61,12 @@ Chapter body_chapter(const Answer&, const ReportData& data) {
     return chapter;
 }
 
-namespace {
-
-std::string all_rows(const TextGrid& grid, const std::string& what) {
-    return fmt::format("{} ({})", what, plural(grid.rows.size(), "row"));
-}
-
-/// A fold with one long table.
 ChapterBlock folded(TextGrid grid, const std::string& what) {
-    std::string line = all_rows(grid, what);
+    std::string line = fmt::format("{} ({})", what, plural(grid.rows.size(), "row"));
     return {.grids = {std::move(grid)}, .fold = std::move(line)};
 }
+
+namespace {
 
 Chapter bytes_chapter(const Answer&, const ReportData& data) {
     return {.id = "bytes",
@@ -141,7 +136,7 @@ std::string many_tables_sentence(const Answer& answer) {
         else if (faster.empty())
             faster = at;
     }
-    return fmt::format("With a table each, {} {}: {}{}{}.", take->example().name(),
+    return fmt::format("With a table each, {} {}: {}{}{}.", take->example().cell->name(),
                        faster.empty() ? "is not faster than the paper's layout"
                        : slower.empty()
                            ? "is faster than the paper's layout from the fewest bodies measured on"
@@ -267,8 +262,7 @@ TextGrid gaps_grid(const Answer& answer) {
     for (const Gap& gap : answer.gaps.gaps) {
         std::string probes;
         for (const std::string& probe : gap.probes) append(probes, probe);
-        grid.rows.push_back(
-            grid_row(gap.reason, gap.remedy.empty() ? "none known" : gap.remedy, probes, gap.figures));
+        grid.add(gap.reason, gap.remedy.empty() ? "none known" : gap.remedy, probes, gap.figures);
     }
     return grid;
 }

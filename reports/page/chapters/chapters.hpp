@@ -27,6 +27,9 @@ struct ChapterBlock {
     std::string fold = {};             ///< not empty: made when this line is opened
 };
 
+/// A fold with one long table.
+[[nodiscard]] ChapterBlock folded(TextGrid grid, const std::string& what);
+
 struct Chapter {
     std::string id, title;
     std::string paragraph = {};  ///< how to read what follows
@@ -129,7 +132,6 @@ class Glossary {
     /// The longest form that begins here and ends with a word; null where there is none.
     [[nodiscard]] const Form* word_at(const std::string& lower, std::size_t at) const;
     [[nodiscard]] const Form* layout_in(const std::string& word) const;
-    [[nodiscard]] std::string link(const Term& term, const std::string& text) const;
 
     std::vector<Term> terms_;
     std::vector<Form> words_, layouts_;  ///< words: the longest first

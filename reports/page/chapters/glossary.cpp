@@ -108,16 +108,12 @@ const Glossary::Form* Glossary::layout_in(const std::string& word) const {
     return found == layouts_.end() ? nullptr : &*found;
 }
 
-std::string Glossary::link(const Term& term, const std::string& text) const {
-    return fmt::format("<a class=\"term\" href=\"#{}\" title=\"{}\">{}</a>", term.id(),
-                       html_text(term.meaning), html_text(text));
-}
-
 std::string Glossary::html(const std::string& text, std::set<std::string>& linked) const {
     const std::string lower = lower_case(text);
     const auto once = [&](const Form* form, const std::string& shown) {
         if (!form || !linked.insert(terms_[form->term].id()).second) return html_text(shown);
-        return link(terms_[form->term], shown);
+        return fmt::format("<a class=\"term\" href=\"#{}\" title=\"{}\">{}</a>", terms_[form->term].id(),
+                           html_text(terms_[form->term].meaning), html_text(shown));
     };
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

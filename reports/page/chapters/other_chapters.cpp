@@ -39,10 +39,8 @@ Value member(const StudyJson& object, const char* name, const Value& otherwise) 
 
 /// Returns a row for each cell, with the figures that the chapter's columns name.
 TextGrid study_grid(const std::vector<const ReportCell*>& cells, const StudyJson& columns) {
-    TextGrid grid = cell_grid("", cell_names, std::vector<FigureColumn>(), cells);
-    grid.columns.push_back({"status"});
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        grid.rows[i].push_back(grid_cell(to_string(cells[i]->status)));
+    TextGrid grid =
+        cell_grid("", "scene|shape|algorithm|table type|status", std::vector<FigureColumn>(), cells);
     for (const StudyJson& column : columns) {
         const std::string figure = member<std::string>(column, "figure", "");
         const std::size_t dot = std::min(figure.find('.'), figure.size());
@@ -96,13 +94,6 @@ std::string nearest_motions(const std::vector<const ReportCell*>& cells) {
     return text.empty() ? text : text + ".";
 }
 
-/// Returns the name as the page's links have it: letters, digits and '-'.
-std::string id_of(std::string name) {
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return !std::isalnum(c); }, '-');
-    return "study-" + name;
-}
-
 }  // namespace
 
 std::vector<Chapter> study_chapters(const ReportData& data) {
@@ -113,7 +104,9 @@ std::vector<Chapter> study_chapters(const ReportData& data) {
         const StudyJson about = input::json_or_null(data.meta_value(store::study_key + name).value_or(""));
         const StudyJson columns = about.is_object() ? about.value("columns", StudyJson()) : StudyJson();
         Chapter& chapter = chapters.emplace_back();
-        chapter.id = id_of(name);
+        chapter.id = "study-" + name;  // as the page's links have it
+        for (char& c : chapter.id)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '-';
         chapter.title = member(about, "title", name);
         chapter.paragraph =
             member<std::string>(about, "text", "The store does not describe the figures of this study.");
@@ -202,19 +195,18 @@ std::string change_text(const measure::ComparedRow& row) {
 
 /// Rows of one outcome, in the comparison's order.
 TextGrid rows_grid(const char* title, const measure::RecordComparison& found, Outcome outcome) {
-    TextGrid grid{title, columns_of("figure|#before|#after|#after / before|made of|cell"), {}};
+    TextGrid grid{title, columns_of("figure|#before|#after|#after / before|made of|cell")};
     for (const measure::ComparedRow& row : found.rows)
         if (row.outcome == outcome)
-            grid.rows.push_back(grid_row(row.is.figure, shown_value(row.was), shown_value(row.is),
-                                         change_text(row), row.note, row.is.cell));
+            grid.add(row.is.figure, shown_value(row.was), shown_value(row.is), change_text(row), row.note,
+                     row.is.cell);
     return grid;
 }
 
 TextGrid conditions_grid(const measure::RecordComparison& found) {
-    TextGrid grid{"What else differs, and may be the cause", columns_of("what|before|after|as a cause"), {}};
+    TextGrid grid{"What else differs, and may be the cause", columns_of("what|before|after|as a cause")};
     for (const measure::ComparedCondition& condition : found.conditions)
-        grid.rows.push_back(grid_row(condition.what, condition.was, condition.is,
-                                     condition.same() ? "excluded" : "possible"));
+        grid.add(condition.what, condition.was, condition.is, condition.same() ? "excluded" : "possible");
     grid.shown_rows = grid.rows.size();
     return grid;
 }

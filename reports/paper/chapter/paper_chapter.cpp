@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
@@ -81,10 +82,7 @@ void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<Ch
                       .paragraph = part.paragraph,
                       .section = part.section,
                       .grids = std::move(part.grids)});
-    for (TextGrid& grid : part.long_grids) {
-        const std::string fold = fmt::format("{} ({})", grid.caption, plural(grid.rows.size(), "row"));
-        blocks.push_back({.grids = {std::move(grid)}, .fold = fold});
-    }
+    for (const TextGrid& grid : part.long_grids) blocks.push_back(folded(grid, grid.caption));
 }
 
 Chapter paper_chapter(const ReportData& data, const std::vector<Chart>& charts) {
@@ -178,17 +176,11 @@ Evidence growth(const ReportData& data, const ValuePlace& place, const std::stri
     return large && small ? quotient(time_of(*large), time_of(*small)) : not_stored(place);
 }
 
-enum class VclipIs : std::uint8_t { unknown, faster, slower, undecided };
-
-VclipIs judged(const Evidence& over_gjk) {
-    if (!over_gjk.value) return VclipIs::unknown;
-    if (over_gjk.high < 1) return VclipIs::faster;
-    return over_gjk.low > 1 ? VclipIs::slower : VclipIs::undecided;
-}
-
-const char* word_of(VclipIs verdict) {
-    constexpr const char* words[] = {"not measured", "faster", "slower", "undecided"};
-    return words[static_cast<std::size_t>(verdict)];
+/// What V-Clip is.
+std::string judged(const Evidence& over_gjk) {
+    if (!over_gjk.value) return "not measured";
+    if (over_gjk.high < 1) return "faster";
+    return over_gjk.low > 1 ? "slower" : "undecided";
 }
 
 GridCell evidence_cell(const Evidence& evidence) {
@@ -197,27 +189,18 @@ GridCell evidence_cell(const Evidence& evidence) {
 
 /// "V-Clip is faster at 386 vertices under every value", or under which not.
 std::string sentence_of(const std::vector<AssumedValue>& values, std::size_t size) {
-    std::string by_verdict[4];
-    std::size_t measured = 0;
-    for (const AssumedValue& one : values) {
-        const VclipIs verdict = judged(one.vclip_over_gjk[size]);
-        append(by_verdict[static_cast<std::size_t>(verdict)], one.assumption + " " + one.value);
-        measured += verdict != VclipIs::unknown;
-    }
+    std::map<std::string, std::string> under;  // the values by verdict
+    for (const AssumedValue& one : values)
+        append(under[judged(one.vclip_over_gjk[size])], one.assumption + " " + one.value);
+    const bool always = under.size() - under.count("not measured") == 1;
     std::string out;
-    for (const VclipIs verdict : {VclipIs::faster, VclipIs::slower, VclipIs::undecided}) {
-        const std::string& under = by_verdict[static_cast<std::size_t>(verdict)];
-        if (under.empty()) continue;
-        const bool always = std::ranges::all_of(values, [&](const AssumedValue& one) {
-            const VclipIs found = judged(one.vclip_over_gjk[size]);
-            return found == verdict || found == VclipIs::unknown;
-        });
-        append(
-            out,
-            fmt::format("{} {}", word_of(verdict), always ? "under every value measured" : "(" + under + ")"),
-            "; ");
-    }
-    return measured == 0 ? "" : fmt::format("At {} vertices V-Clip is {}. ", angular_sizes[size], out);
+    for (const char* verdict : {"faster", "slower", "undecided"})
+        if (const auto found = under.find(verdict); found != under.end())
+            append(out,
+                   fmt::format("{} {}", verdict,
+                               always ? "under every value measured" : "(" + found->second + ")"),
+                   "; ");
+    return out.empty() ? out : fmt::format("At {} vertices V-Clip is {}. ", angular_sizes[size], out);
 }
 
 }  // namespace
@@ -240,21 +223,19 @@ TextGrid assumptions_grid(const ReportData& data) {
         "What we had to assume, each varied alone (aos_f64, 4 rad/s except for the tolerance, queries that "
         "start warm; ratios of times with 95 % intervals of this run's rounds)",
         columns_of("assumption|value|ours|#V-Clip / GJK, 8 vertices|#38|#386|V-Clip at 8, 38, 386 is|"
-                   "#386 / 38, V-Clip|#386 / 38, GJK"),
-        {}};
+                   "#386 / 38, V-Clip|#386 / 38, GJK")};
     for (const AssumedValue& one : assumed_values(data)) {
         std::string verdicts;
         bool any = false;
         for (const Evidence& ratio : one.vclip_over_gjk) {
-            append(verdicts, word_of(judged(ratio)));
+            append(verdicts, judged(ratio));
             any = any || ratio.value;
         }
         if (!any) continue;
         const auto& ratios = one.vclip_over_gjk;
-        grid.rows.push_back(grid_row(one.assumption, one.value, one.ours ? "yes" : "",
-                                     evidence_cell(ratios[0]), evidence_cell(ratios[1]),
-                                     evidence_cell(ratios[2]), verdicts, evidence_cell(one.vclip_growth),
-                                     evidence_cell(one.gjk_growth)));
+        grid.add(one.assumption, one.value, one.ours ? "yes" : "", evidence_cell(ratios[0]),
+                 evidence_cell(ratios[1]), evidence_cell(ratios[2]), verdicts,
+                 evidence_cell(one.vclip_growth), evidence_cell(one.gjk_growth));
     }
     return grid;
 }

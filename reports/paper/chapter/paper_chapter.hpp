@@ -127,7 +127,6 @@ struct RealisedRow {
     };
     std::vector<Point> points;
 
-    [[nodiscard]] double longest_measured() const;
     /// Returns the larger ratio of measured and predicted, in either direction.
     [[nodiscard]] double worst_ratio() const;
 };

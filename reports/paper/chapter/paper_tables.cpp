@@ -198,19 +198,6 @@ GridCell percent_cell(const RobustnessSum& part, const RobustnessSum& whole) {
     return {fmt::format("{:.3g} ({:.0f})", 100 * *part.total / *whole.total, *part.total)};
 }
 
-std::vector<GridCell> robustness_row_of(const std::vector<std::string>& names, const Cells& cells) {
-    std::vector<GridCell> row;
-    for (const std::string& name : names) row.push_back({name});
-    const RobustnessSum checked(cells, "error.checked"), asked(cells, "error.control_checked");
-    row.push_back(count_cell(checked));
-    row.push_back(percent_cell(RobustnessSum(cells, "error.wrong_verdicts"), checked));
-    row.push_back(percent_cell(RobustnessSum(cells, "error.verdicts_in_band"), checked));
-    row.push_back(count_cell(asked));
-    row.push_back(percent_cell(RobustnessSum(cells, "error.control_disagreements"), asked));
-    row.push_back(percent_cell(RobustnessSum(cells, "error.control_disagreements_outside_band"), asked));
-    return row;
-}
-
 /// Returns true if `cell` asks the same queries as `raw`, by the same table type, and is hardened.
 bool is_hardened_of(const ReportCell& raw, const ReportCell& cell) {
     return !cell.is_raw() && cell.scene == raw.scene && cell.scene_parameters == raw.scene_parameters &&
@@ -247,13 +234,11 @@ GridCell asked_gjk(const ReportCell& hardened, const AnswerNames& names) {
 std::vector<GridCell> raw_row(const ReportCell& raw, const ReportCell* hardened) {
     const AnswerNames& names = raw.run == "stability" ? of_families : of_cells;
     const measure::Figure asked = raw.figure(names.asked), wrong = raw.figure(names.wrong);
-    std::vector<GridCell> row = grid_row(raw.scene, raw.shape, raw.table, figure_cell(asked),
-                                         figure_cell(wrong), figure_cell(raw.figure(names.wrong_verdicts)),
-                                         most_share(wrong, asked), figure_cell(raw.figure(names.cycles)));
     const GridCell none = missing_cell("no such cell");
-    row.push_back(hardened ? figure_cell(hardened->figure(names.wrong)) : none);
-    row.push_back(hardened ? asked_gjk(*hardened, names) : none);
-    return row;
+    return grid_row(raw.scene, raw.shape, raw.table, asked, wrong, raw.figure(names.wrong_verdicts),
+                    most_share(wrong, asked), raw.figure(names.cycles),
+                    hardened ? figure_cell(hardened->figure(names.wrong)) : none,
+                    hardened ? asked_gjk(*hardened, names) : none);
 }
 
 }  // namespace
@@ -263,20 +248,22 @@ TextGrid robustness_grid(const ReportData& data) {
                   columns_of("scene|algorithm|precision|#N, exact|#wrong outside the band, %|"
                              "#pairs inside the band, %|#N, Moore-Wilhelms|#disagree in all, %|"
                              "#disagree outside the band, %")};
-    std::map<std::tuple<std::string, std::string, std::string>, Cells> groups;
-    std::map<std::pair<std::string, std::string>, Cells> all;
+    std::map<std::tuple<bool, std::string, std::string, std::string>, Cells> groups;  // all scenes first
     for (const ReportCell& cell : data.from_files) {
         // A failed cell counts: its verdicts are what failed.
         if (cell.status == store::CellStatus::unavailable) continue;
         const std::string algorithm = cell.is_raw() ? "vclip, raw" : cell.algorithm;
-        groups[{cell.scene, algorithm, cell.precision}].push_back(&cell);
-        all[{algorithm, cell.precision}].push_back(&cell);
+        groups[{false, "all scenes", algorithm, cell.precision}].push_back(&cell);
+        groups[{true, cell.scene, algorithm, cell.precision}].push_back(&cell);
     }
-    for (const auto& [key, cells] : all)
-        grid.rows.push_back(robustness_row_of({"all scenes", key.first, key.second}, cells));
     for (const auto& [key, cells] : groups) {
-        const auto& [scene, algorithm, precision] = key;
-        grid.rows.push_back(robustness_row_of({scene, algorithm, precision}, cells));
+        const auto& [is_one, scene, algorithm, precision] = key;
+        const RobustnessSum checked(cells, "error.checked"), asked(cells, "error.control_checked");
+        grid.add(scene, algorithm, precision, count_cell(checked),
+                 percent_cell({cells, "error.wrong_verdicts"}, checked),
+                 percent_cell({cells, "error.verdicts_in_band"}, checked), count_cell(asked),
+                 percent_cell({cells, "error.control_disagreements"}, asked),
+                 percent_cell({cells, "error.control_disagreements_outside_band"}, asked));
     }
     return grid;
 }

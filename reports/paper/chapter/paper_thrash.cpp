@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -128,17 +127,15 @@ std::string tables_text(const ReportData& data) {
     const measure::Expected<double> table = thrash_figure(data, 386, false, "bytes.table_bytes"),
                                     bodies = thrash_number(data, 386, false, "bodies");
     if (!table.value || !bodies.value)
-        return "what their tables take is " + missing_text(table.value ? bodies.reason : table.reason);
-    return fmt::format("the tables of {} bodies of 386 vertices take {}", count_text(bodies),
+        return "What their tables take is " + missing_text(table.value ? bodies.reason : table.reason);
+    return fmt::format("The tables of {} bodies of 386 vertices take {}", count_text(bodies),
                        bytes_text(*table.value * *bodies.value));
 }
 
 std::string page_sentence(const ReportData& data) {
     constexpr store::FigureName knee = store::page_knee.warm();
-    std::string tables = tables_text(data);
-    tables[0] = static_cast<char>(std::toupper(tables[0]));
-    return prose("thrash_pages.md", fmt::arg("tables", tables), fmt::arg("knees", knees_text(data, knee)),
-                 fmt::arg("least", bytes_text(least_old_memory)),
+    return prose("thrash_pages.md", fmt::arg("tables", tables_text(data)),
+                 fmt::arg("knees", knees_text(data, knee)), fmt::arg("least", bytes_text(least_old_memory)),
                  fmt::arg("where", where_it_passes(data, knee, least_old_memory)),
                  fmt::arg("large", count_text(bodies_to_fill(data, 386, knee, least_old_memory))),
                  fmt::arg("small", count_text(bodies_to_fill(data, 38, knee, least_old_memory))),
@@ -176,17 +173,13 @@ std::string measured_sentence(const ReportData& data) {
     return fmt::format("Measured under memory limits, the largest that faulted: {}.", fmt::join(rows, "; "));
 }
 
-/// A figure over the baseline's, both at 386 vertices and the slowest rotation.
-std::string share_text(const measure::Figure& figure, const measure::Figure& base) {
-    if (!figure.value) return missing_text(figure.reason);
-    if (!base.value || *base.value <= 0) return "no ratio";
-    return number_text(*figure.value / *base.value);
-}
-
 std::string layout_text(const ReportCell& cell, const ReportCell& base) {
     const auto time = store::memory_time.of(old_machines[0]).warm();
     const auto share = [&](const store::FigureName& name) {
-        return share_text(cell.figure(name), base.figure(name));
+        const measure::Figure figure = cell.figure(name), of_base = base.figure(name);
+        if (!figure.value) return missing_text(figure.reason);
+        return !of_base.value || *of_base.value <= 0 ? "no ratio"
+                                                     : number_text(*figure.value / *of_base.value);
     };
     return fmt::format("{}{} {}, {}, {}", cell.algorithm == "vclip" ? "" : cell.algorithm + " ", cell.table,
                        share(store::line_knee.warm()), share(store::page_knee.warm()), share(time));

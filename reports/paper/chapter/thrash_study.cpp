@@ -135,8 +135,9 @@ std::string realised_sentence(const ReportData& data) {
         double large = 0, small = 0, gjk_large = 0, gjk_small = 0, worst = 0;
         for (const RealisedRow& row : curves) {
             const bool is_large = row.cell->vertices == 386, is_vclip = row.cell->algorithm == "vclip";
-            (is_vclip ? (is_large ? large : small) : (is_large ? gjk_large : gjk_small)) =
-                row.longest_measured();
+            double& longest = is_vclip ? (is_large ? large : small) : (is_large ? gjk_large : gjk_small);
+            longest = 0;
+            for (const auto& point : row.points) longest = std::max(longest, point.measured_us);
             worst = std::max(worst, row.worst_ratio());
         }
         texts.push_back(fmt::format(
@@ -172,12 +173,6 @@ std::string ThrashRow::name() const {
 std::string ThrashRow::tables() const {
     return fmt::format("{}, {}, steps of {}", cell->table, own_tables ? "own tables" : "a shared table",
                        step_text(time_step));
-}
-
-double RealisedRow::longest_measured() const {
-    double longest = 0;
-    for (const Point& point : points) longest = std::max(longest, point.measured_us);
-    return longest;
 }
 
 double RealisedRow::worst_ratio() const {

@@ -36,18 +36,9 @@ void add_levels(const ReportCell& cell, ChartRows& rows) {
             rows.omitted.add(fmt::format("{}: {}", level.label, misses.reason));
             continue;
         }
-        ChartJson row = curve_json(cell);
-        row["level"] = level.label;
-        row["angle"] = *step;
-        row["misses"] = *misses.value;
-        rows.values.push_back(std::move(row));
+        add_point(rows.values, curve_json(cell),
+                  {{"level", level.label}, {"angle", *step}, {"misses", *misses.value}});
     }
-}
-
-ChartJson levels_in_order() {
-    ChartJson labels = ChartJson::array();
-    for (const OldLevel& level : old_levels) labels.push_back(level.label);
-    return labels;
 }
 
 /// Adds the scene's cells with the angle per step nearest to the shown one.
@@ -94,8 +85,9 @@ Chart paper_misses_chart(const ReportData& data) {
     ChartRows rows;
     for (const int vertices : thrash_vertices)
         for (const ReportCell* cell : thrash_scene(data, vertices).cells) add_levels(*cell, rows);
-    return drawn_chart(chart_of_file("paper_thrash_misses"), data, std::move(rows),
-                       {{"levels", levels_in_order()}});
+    ChartJson levels = ChartJson::array();
+    for (const OldLevel& level : old_levels) levels.push_back(level.label);
+    return drawn_chart(chart_of_file("paper_thrash_misses"), data, std::move(rows), {{"levels", levels}});
 }
 
 Chart paper_reuse_chart(const ReportData& data) {
@@ -170,11 +162,7 @@ ChartJson knees_of(const ReportData& data, const StoredScene& scene, std::vector
         const auto bodies = parameter_of(*cell, "bodies");
         if (!bodies || !cell->verified()) continue;
         const auto knee = knee_of(data, *cell, *bodies, estimated);
-        if (!knee || *knee <= 0) continue;
-        ChartJson row = curve_json(*cell);
-        row["bodies"] = *bodies;
-        row["knee"] = *knee;
-        values.push_back(std::move(row));
+        if (knee && *knee > 0) add_point(values, curve_json(*cell), {{"bodies", *bodies}, {"knee", *knee}});
     }
     if (estimated) notes.push_back(prose("knees_in_proportion.md"));
     if (values.empty()) notes.emplace_back("No knee is drawn: no reuse distances were traced.");
@@ -202,23 +190,16 @@ ChartJson if_any(const char* slot, const ChartJson& rows) {
     return list;
 }
 
-ChartJson fault_row(const ReportCell& cell, double memory, const char* kind, double faults) {
-    ChartJson row = curve_json(cell);
-    row["memory"] = memory;
-    row["kind"] = kind;
-    row["faults"] = faults;
-    return row;
-}
-
 /// A limit's two places on the predicted line, and its measured point.
 void add_limit(const ReportCell& cell, const PagingLimit& limit, ChartRows& rows) {
     const double held = limit.held.value.value_or(0), given = limit.limit.value.value_or(0);
-    if (held > 0 && limit.predicted_at_held.value)
-        rows.values.push_back(fault_row(cell, held, "predicted", *limit.predicted_at_held.value));
-    if (given > 0 && limit.predicted_at_limit.value)
-        rows.values.push_back(fault_row(cell, given, "predicted", *limit.predicted_at_limit.value));
+    const auto add = [&](double memory, const char* kind, double faults) {
+        add_point(rows.values, curve_json(cell), {{"memory", memory}, {"kind", kind}, {"faults", faults}});
+    };
+    if (held > 0 && limit.predicted_at_held.value) add(held, "predicted", *limit.predicted_at_held.value);
+    if (given > 0 && limit.predicted_at_limit.value) add(given, "predicted", *limit.predicted_at_limit.value);
     if (held > 0 && limit.faults.value)
-        rows.values.push_back(fault_row(cell, held, "measured", *limit.faults.value));
+        add(held, "measured", *limit.faults.value);
     else
         rows.omitted.add(limit.faults.value ? limit.held.reason : limit.faults.reason);
 }

@@ -172,10 +172,9 @@ void add_bytes(ChartRows& rows, const StoredScene& scene) {
     for (const ReportCell* cell : scene.cells) {
         const auto size = rows.omitted.positive(cell->figure("bytes.table_bytes"), "a size of 0");
         if (!size) continue;
-        ChartJson row = curve_json(*cell);
-        row["measure"] = of_bytes;
-        row["value"] = row["low"] = row["high"] = *size;  // a size is exact
-        rows.values.push_back(std::move(row));
+        // A size is exact.
+        add_point(rows.values, curve_json(*cell),
+                  {{"measure", of_bytes}, {"high", *size}, {"low", *size}, {"value", *size}});
     }
 }
 

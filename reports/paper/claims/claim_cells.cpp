@@ -76,23 +76,19 @@ CellKey key_of(const std::string& text) {
 
 const ReportCell* find_cell(const ReportData& data, const CellKey& key) {
     const ReportCell* first = nullptr;
-    for (const auto* cells : {&data.from_files, &data.cells}) {
-        for (const ReportCell& cell : *cells) {
-            if (!fits(cell, key)) continue;
-            if (cell.verified()) return &cell;
-            if (!first) first = &cell;
-        }
+    for (const ReportCell* cell : cells_in({&data.from_files, &data.cells})) {
+        if (!fits(*cell, key)) continue;
+        if (cell->verified()) return cell;
+        if (!first) first = cell;
     }
     return first;
 }
 
 std::vector<CurveCell> cells_along(const ReportData& data, const CellKey& key, const std::string& parameter) {
     std::vector<CurveCell> found;
-    for (const auto* cells : {&data.from_files, &data.cells}) {
-        for (const ReportCell& cell : *cells) {
-            if (!fits(cell, key)) continue;
-            if (const auto x = cells_place_of(cell, parameter)) found.push_back({*x, &cell});
-        }
+    for (const ReportCell* cell : cells_in({&data.from_files, &data.cells})) {
+        if (!fits(*cell, key)) continue;
+        if (const auto x = cells_place_of(*cell, parameter)) found.push_back({*x, cell});
     }
     std::ranges::stable_sort(found, [](const CurveCell& a, const CurveCell& b) { return a.x < b.x; });
     return found;

@@ -384,10 +384,13 @@ Claim judged(const ClaimFile& claim, const ReportData& data) {
 
 }  // namespace
 
-std::vector<Claim> claims_in_order(const ReportData& data) {
+std::vector<Claim> judge_claims(const ReportData& data) {
     static const ClaimFile claims = ClaimFile::parse(report_text("claims.json"));
     std::vector<Claim> all;
-    for (const ClaimFile& claim : claims) all.push_back(judged(claim, data));
+    for (const ClaimFile& claim : claims) {
+        all.push_back(judged(claim, data));
+        all.back().conditions = claim_conditions(data, all.back().deterministic);
+    }
     return all;
 }
 

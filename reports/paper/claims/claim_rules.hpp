@@ -92,7 +92,5 @@ struct ClaimVariant {
 /// on: ASSUMPTION" where they decide otherwise. There must be some.
 [[nodiscard]] Claim judge_variants(const std::string& id, const std::string& assumption,
                                    const std::vector<ClaimVariant>& variants);
-/// Judges all claims by the store, in the order of claims.json.
-[[nodiscard]] std::vector<Claim> claims_in_order(const ReportData& data);
 
 }  // namespace edgewise::reports

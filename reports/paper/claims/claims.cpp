@@ -13,7 +13,6 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/paper/claims/claim_rules.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -66,8 +65,7 @@ std::string what_is_missing(const std::vector<Claim>& claims) {
 
 std::string seeds_in_words(const ReportData& data) {
     std::set<std::uint64_t> seeds;
-    for (const auto* cells : {&data.cells, &data.from_files})
-        for (const ReportCell& cell : *cells) seeds.insert(cell.seed);
+    for (const ReportCell* cell : data.swept()) seeds.insert(cell->seed);
     if (seeds.empty()) return "for no seed";
     return fmt::format("for seed{} {}", seeds.size() > 1 ? "s" : "", fmt::join(seeds, ", "));
 }
@@ -96,12 +94,6 @@ std::string machine_of_claims(const ReportData& data) {
 }
 
 }  // namespace
-
-std::vector<Claim> judge_claims(const ReportData& data) {
-    std::vector<Claim> all = claims_in_order(data);
-    for (Claim& claim : all) claim.conditions = claim_conditions(data, claim.deterministic);
-    return all;
-}
 
 std::string claims_summary(const std::vector<Claim>& claims) {
     std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
@@ -156,14 +148,12 @@ measure::FigureRecord claims_record(const ReportData& data) {
 TextGrid claims_grid(const ReportData& data) {
     const std::vector<Claim> claims = judge_claims(data);
     TextGrid grid{claims_summary(claims),
-                  columns_of("kind|section|claim|paper|here, with 95 % intervals|verdict|why|rule|holds"),
-                  {}};
+                  columns_of("kind|section|claim|paper|here, with 95 % intervals|verdict|why|rule|holds")};
     grid.shown_rows = claims.size();
     for (const Claim& claim : claims) {
         const bool measured = claim.verdict != not_measured;
-        grid.rows.push_back(grid_row(claim.kind, claim.section, claim.claim, claim.paper, claim.ours,
-                                     verdict_cell(claim), measured ? claim.reason : "", claim.rule,
-                                     claim.conditions));
+        grid.add(claim.kind, claim.section, claim.claim, claim.paper, claim.ours, verdict_cell(claim),
+                 measured ? claim.reason : "", claim.rule, claim.conditions);
     }
     return grid;
 }

@@ -10,7 +10,8 @@
 // nothing (Nagle's problem), even in wider arithmetic (sub_distance.hpp). Small bodies: a run that starts
 // from the last answer first tries to prove it (kept_simplex.hpp); one that starts anew searches in single
 // precision (search/single_search.hpp) and tries to prove what it finds. With a cutoff either first looks for
-// the answer along one direction. gjk_start.hpp says where other runs start.
+// the answer along one direction; boxes have a verdict of their own (box_verdict.hpp). gjk_start.hpp says
+// where other runs start.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 #include <string_view>
 
 #include "edgewise/algorithms/answerable.hpp"
+#include "edgewise/algorithms/box_verdict.hpp"
 #include "edgewise/algorithms/distance.hpp"
 #include "edgewise/algorithms/gjk_start.hpp"
 #include "edgewise/algorithms/kept_simplex.hpp"
@@ -333,6 +335,10 @@ struct Gjk {
         const auto transform = cast<ComputeOf<TableA>>(a_from_b);
         if (options.cutoff < QueryOptions{}.cutoff) {
             Distance found;
+            if (answer_as_boxes(a, b, a_from_b, options, found)) {
+                observer.iterate(1);
+                return found;
+            }
             const GjkRun<TableA, TableB> run(a, b, transform, options);
             if (run.answer_along_one_direction(pair, found, observer)) return within(options, found);
         }
@@ -341,6 +347,17 @@ struct Gjk {
         } else {
             return within(options, run_gjk(a, b, transform, pair, options));
         }
+    }
+
+    /// Answers if both bodies are boxes and the verdict alone matters. The paper's algorithm does without.
+    template <class TableA, class TableB>
+    [[nodiscard]] static bool answer_as_boxes(const TableA& a, const TableB& b,
+                                              const Transform<double>& a_from_b, const QueryOptions& options,
+                                              Distance& answer) {
+        if constexpr (BoxTable<TableA> && BoxTable<TableB>)
+            return options.is_for_verdict() && options.sub_distance == SubDistanceSolver::cofactors &&
+                   answer_boxes(a, b, a_from_b, options.contact_tolerance, answer);
+        return false;
     }
 };
 

@@ -9,6 +9,7 @@
 #include <cassert>
 
 #include "edgewise/algorithms/distance.hpp"
+#include "edgewise/algorithms/observer.hpp"
 #include "edgewise/algorithms/penetration.hpp"
 #include "edgewise/algorithms/query_options.hpp"
 #include "edgewise/geometry/pose.hpp"
@@ -45,17 +46,17 @@ struct Rounded {
 
 /// Distance of two rounded bodies, as Algorithm::query of their cores (Gjk, or VClip). `a_from_b` takes B's
 /// points into A's frame; `pair` is that of the cores. For the verdict alone (QueryOptions) GJK ends as soon
-/// as a direction separates the rounded bodies.
-template <class Algorithm, SupportTable TableA, SupportTable TableB>
+/// as a direction separates the rounded bodies. `observer`: as Algorithm::query's.
+template <class Algorithm, SupportTable TableA, SupportTable TableB, class Observer = NoObserver>
 [[nodiscard]] Distance query_rounded(const Rounded<TableA>& a, const Rounded<TableB>& b,
                                      const Transform<double>& a_from_b,
                                      typename Algorithm::template Pair<TableA, TableB>& pair,
-                                     const QueryOptions& options = {}) {
+                                     const QueryOptions& options = {}, Observer&& observer = {}) {
     QueryOptions of_cores = options;
     const double radii = a.radius + b.radius;
     of_cores.contact_tolerance = options.is_for_verdict() ? options.contact_tolerance + radii : 0;
     of_cores.cutoff = options.cutoff + radii;
-    const Distance cores = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores);
+    const Distance cores = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores, observer);
     return rounded(cores, a.radius, b.radius, options.contact_tolerance);
 }
 

@@ -47,6 +47,7 @@ class LengthScale {
     /// Into the unit, and back.
     [[nodiscard]] Vec3d into(const Vec3d& v) const { return v * factor_; }
     [[nodiscard]] Vec3d back(const Vec3d& v) const { return v / factor_; }
+    [[nodiscard]] double into(double length) const { return length * factor_; }
     [[nodiscard]] double back(double length) const { return length / factor_; }
     [[nodiscard]] Polyhedron into(const Polyhedron& body) const {
         return is_one() ? body : scene::scaled(body, factor_);

@@ -69,6 +69,16 @@ std::vector<const TableType*> select_table_types(std::span<const std::string> na
     return select_types(table_types(), names, "layout (or table type, as in aos_f64)");
 }
 
+const TableType* find_table_type(std::string_view name) {
+    const auto found = std::ranges::find(table_types(), name, &TableType::name);
+    return found != table_types().end() ? &*found : nullptr;
+}
+
+const TableType& table_type_called(const std::string& name) {
+    const TableType* found = find_table_type(name);
+    return found ? *found : *select_table_types(std::span(&name, 1)).front();
+}
+
 std::vector<std::string> select_algorithms(std::span<const std::string> names) {
     std::vector<std::string> result;
     const auto name_of = [](const AlgorithmInfo& info) { return std::vector{info.name}; };

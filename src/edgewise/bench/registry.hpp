@@ -56,8 +56,11 @@ struct AlgorithmInfo {
 
 /// Table types of this program, in the manifest's order.
 [[nodiscard]] std::span<const TableType> table_types();
+/// By its name, as in "aos_f64"; null if this program does not have it, which a build may.
+[[nodiscard]] const TableType* find_table_type(std::string_view name);
 [[nodiscard]] std::span<const AlgorithmInfo> algorithms();
-/// A peer's too. Throws std::invalid_argument for an unknown name.
+/// Throw std::invalid_argument for an unknown name; it lists the known types. Algorithms: a peer's too.
+[[nodiscard]] const TableType& table_type_called(const std::string& name);
 [[nodiscard]] const AlgorithmInfo& algorithm_called(std::string_view name);
 
 /// Additional compiler flags of the query loops: " query loops: -march=native".

@@ -78,8 +78,22 @@ std::string Runner::load(const scene::Workload& workload) {
         sharing == Sharing::per_instance || (sharing == Sharing::as_scene && workload.table_each);
     std::string error = load_tables(workload.bodies, each ? std::span<const std::uint32_t>(workload.instances)
                                                           : std::span<const std::uint32_t>());
-    if (error.empty()) prepared_.take_queries(workload);
-    return error;
+    if (!error.empty()) return error;
+    prepared_.take_queries(workload);
+    return take_radii(workload);
+}
+
+/// The given bodies' extents count, so that every table is asked the same.
+std::string Runner::take_radii(const scene::Workload& workload) {
+    const LengthScale& scale = prepared_.scale();
+    if (options_.recorded_radii && workload.radii.empty())
+        return "the scene records no radii: leave radius=recorded out";
+    if (options_.recorded_radii)
+        for (const double radius : workload.radii) radii_.push_back(scale.into(radius));
+    else if (options_.radius > 0)
+        for (const std::uint32_t body : workload.instances)
+            radii_.push_back(options_.radius * extent(scale.into(workload.bodies[body]).vertices));
+    return {};
 }
 
 std::string Runner::load_tables(std::span<const Polyhedron> bodies,
@@ -91,6 +105,7 @@ std::string Runner::load_tables(std::span<const Polyhedron> bodies,
     options_ = given_options_;
     options_.query = prepared_.scale().into(given_options_.query);
     margins_ = {};
+    radii_.clear();
     if (asks_nearness())
         margins_ = {options_.margin, options_.needs == Needs::within, bodies, prepared_.bodies(),
                     prepared_.scale()};
@@ -110,6 +125,11 @@ std::string Runner::load_tables(std::span<const Polyhedron> bodies,
         return std::string("tables: ") + problem.what();
     }
     return {};
+}
+
+double Runner::margin(const scene::Query& query) const {
+    if (asks_nearness()) return prepared_.scale().back(margins_.margin(query));
+    return radii_.empty() ? 0 : prepared_.scale().back(radii_[query.instance_a] + radii_[query.instance_b]);
 }
 
 std::vector<Distance> Runner::answer() const {

@@ -93,10 +93,9 @@ class Runner {
     /// The bodies that the tables really hold, in the given bodies' unit and order.
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const { return prepared_.unscaled_bodies(); }
 
-    /// Margin of a query of loaded bodies, where needs have one, in the given bodies' unit.
-    [[nodiscard]] double margin(const scene::Query& query) const {
-        return prepared_.scale().back(margins_.margin(query));
-    }
+    /// Margin of a query of loaded bodies, where needs have one, or the sum of the two bodies' radii; else 0.
+    /// In the given bodies' unit.
+    [[nodiscard]] double margin(const scene::Query& query) const;
 
     /// Answers every loaded query in order, from cold pairs; points in A's frame. For bodies farther from
     /// each other than the precision can compute with: status failed, here and below. Where
@@ -187,6 +186,8 @@ class Runner {
     [[nodiscard]] const RunnerOptions& options() const { return options_; }  ///< in the runner's unit
     [[nodiscard]] bool asks_nearness() const { return has_margin(options_.needs); }
     [[nodiscard]] const NearMargins& margins() const { return margins_; }
+    /// Radii of the workload's instances, in the runner's unit; empty if they have none.
+    [[nodiscard]] std::span<const double> radii() const { return radii_; }
     [[nodiscard]] std::size_t table_a(const scene::Query& query) const {
         return table_each_ ? query.instance_a : query.body_a;
     }
@@ -200,11 +201,13 @@ class Runner {
   private:
     [[nodiscard]] std::string load_tables(std::span<const Polyhedron> bodies,
                                           std::span<const std::uint32_t> instances);
+    [[nodiscard]] std::string take_radii(const scene::Workload& workload);
 
     bool in_single_;
     RunnerOptions given_options_, options_;  ///< in the given bodies' unit, and in the runner's
     PreparedWorkload prepared_;
     NearMargins margins_;                     ///< where needs have a margin
+    std::vector<double> radii_;               ///< where the options give bodies one
     std::unique_ptr<TableAllocator> memory_;  ///< allocator of the tables
     bool table_each_ = false;                 ///< one for each instance, not for each body
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/bench/batch_pass.hpp"
 #include "edgewise/bench/frame_batches.hpp"
@@ -41,7 +42,7 @@ template <class Algorithm, class Table, class TracedTable>
 class RunnerFor final : public TableRunner<Table> {
     using Base = TableRunner<Table>;
     using Base::asks_nearness, Base::in_range, Base::margins, Base::options, Base::prepared, Base::table_a,
-        Base::table_allocator, Base::table_b, Base::tables;
+        Base::radii, Base::table_allocator, Base::table_b, Base::tables;
 
   public:
     using Pair = typename Algorithm::template Pair<Table, Table>;
@@ -63,11 +64,10 @@ class RunnerFor final : public TableRunner<Table> {
     [[nodiscard]] RangePass prepared_range() const override {
         if (asks_nearness()) return near_pass();
         if (options().batch) return batches_of(prepared().workload());
-        const std::vector<Pair> cold = cold_pairs();
-        return [this, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
-            if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
-            return run(first, last, pairs, answers);
-        };
+        if (!radii().empty())
+            return pass_of(
+                [this](const scene::Query& query, Pair& pair) { return ask_rounded(query, pair); });
+        return pass_of([this](const scene::Query& query, Pair& pair) { return ask(query, pair); });
     }
 
     [[nodiscard]] RangePass batches_of(const scene::Workload& workload) const override {
@@ -90,7 +90,7 @@ class RunnerFor final : public TableRunner<Table> {
                                  static_cast<std::uint32_t>(pair_bytes()), workload.pair_count,
                                  workload.instances.size());
         return prepared().scale().back(trace_queries<Algorithm, TracedTable>(
-            workload, extent, {options().query, asks_nearness() ? &margins() : nullptr}, places,
+            workload, extent, {options().query, asks_nearness() ? &margins() : nullptr, radii()}, places,
             tables_of_queries(), listener, answers));
     }
 
@@ -126,8 +126,21 @@ class RunnerFor final : public TableRunner<Table> {
         return cold_pairs_of<Pair>(prepared().workload(), tables_of_queries());
     }
 
+    /// A pass by a function that answers one query from its pair.
+    template <class Ask>
+    [[nodiscard]] RangePass pass_of(const Ask& ask) const {
+        const std::vector<Pair> cold = cold_pairs();
+        return
+            [this, ask, cold, pairs = cold](std::size_t first, std::size_t last, Distance* answers) mutable {
+                if (first == 0) std::copy(cold.begin(), cold.end(), pairs.begin());
+                return run(first, last, ask, pairs, answers);
+            };
+    }
+
     /// Queries first .. last - 1; the sum of their distances.
-    double run(std::size_t first, std::size_t last, std::vector<Pair>& pairs, Distance* answers) const {
+    template <class Ask>
+    double run(std::size_t first, std::size_t last, const Ask& ask, std::vector<Pair>& pairs,
+               Distance* answers) const {
         const scene::Workload& workload = prepared().workload();
         double sum = 0;
         for (std::size_t i = first; i < last; ++i) {
@@ -148,6 +161,12 @@ class RunnerFor final : public TableRunner<Table> {
     [[nodiscard]] Distance ask_plain(const scene::Query& query, Pair& pair) const {
         return Algorithm::query(tables()[table_a(query)], tables()[table_b(query)],
                                 relative_pose(query.pose_a, query.pose_b), pair, options().query);
+    }
+
+    [[nodiscard]] Distance ask_rounded(const scene::Query& query, Pair& pair) const {
+        return query_rounded<Algorithm>(Rounded<Table>{tables()[table_a(query)], radii()[query.instance_a]},
+                                        Rounded<Table>{tables()[table_b(query)], radii()[query.instance_b]},
+                                        relative_pose(query.pose_a, query.pose_b), pair, options().query);
     }
 
     [[nodiscard]] Distance ask(const scene::Query& query, Pair& pair) const {

@@ -36,8 +36,13 @@ struct RunnerOptions {
     Needs needs = Needs::witnesses;  ///< what passes ask of every answer, and pay for
     TableOptions tables = {};
     double margin =
-        usual_margin;    ///< where needs have one, over the extent of the larger of a query's bodies
-    bool batch = false;  ///< pairs in a row that differ are asked together
+        usual_margin;             ///< where needs have one, over the extent of the larger of a query's bodies
+    bool batch = false;           ///< pairs in a row that differ are asked together
+    double radius = 0;            ///< around every body, over its extent; needs up to witnesses, pair by pair
+    bool recorded_radii = false;  ///< the radii of the scene's instances instead
+
+    /// Returns true if bodies have a radius.
+    [[nodiscard]] bool rounds() const { return radius > 0 || recorded_radii; }
 
     /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

@@ -37,11 +37,6 @@ std::uint64_t proofs_of(const FamilyTally& family) {
     return family.double_proofs + family.wide_proofs + family.exact_proofs;
 }
 
-/// Returns the share of distances that a filter proved without exact arithmetic.
-double share_by_filter(const FamilyTally& family) {
-    return per(count(family.double_proofs + family.wide_proofs), count(proofs_of(family)));
-}
-
 std::string vertices_of(const FamilyTally& family) {
     if (family.least_vertices == family.most_vertices) return fmt::format("{}", family.most_vertices);
     return fmt::format("{} to {}", family.least_vertices, family.most_vertices);
@@ -106,14 +101,12 @@ nlohmann::json campaign_json(const CampaignProgress& progress, std::span<const C
     line["pairs"] = progress.pairs();
     line["answers"] = all.answers;
     line["wrong"] = all.wrong;
-    line["share_by_filter"] = share_by_filter(all);
+    line["share_by_filter"] = per(count(all.double_proofs + all.wide_proofs), count(proofs_of(all)));
     line["pairs_per_second"] = per(count(progress.pairs()), progress.seconds);
     line["answers_per_second"] = per(count(all.answers), progress.seconds);
     for (const Cell& cell : cells) line["classes"][cell.name] = cell.as_well;
     return line;
 }
-
-using namespace studies::campaign;
 
 /// Between two writes of the progress file, and of failures that are minimised per cell: the first tell most.
 constexpr double seconds_between_writes = 10;
@@ -141,21 +134,15 @@ std::vector<Cell> chosen_cells(const CampaignArguments& options) {
 
 Question question_of(const CampaignArguments& options, const sweep::Shard& shard, const PairSource& source,
                      const std::vector<Cell>& cells) {
-    Question question;
-    question.seed = options.seed;
-    question.pairs = static_cast<std::uint64_t>(options.pairs);
-    question.families = source.families();
+    Question question{options.seed, static_cast<std::uint64_t>(options.pairs), source.families(), {}, shard};
     for (const Cell& cell : cells) question.cells.push_back(cell.name);
-    question.shard = shard;
     return question;
 }
 
 /// From the file, if it is about the same question; more pairs than before may be wanted of it.
 CampaignProgress start_of(const Question& question, const std::string& path) {
     auto known = read_progress(path);
-    CampaignProgress progress;
-    progress.question = question;
-    if (!known) return progress;
+    if (!known) return {question, 0, 0, {}};
     const bool whole = question.shard.is_whole();
     const std::uint64_t wanted_before = known->question.pairs;
     if (whole && question.pairs >= wanted_before && wanted_before % pairs_per_block == 0)

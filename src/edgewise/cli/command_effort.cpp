@@ -57,10 +57,8 @@ nlohmann::json phases_json(const EffortByPhase& row) {
 void print_row(const EffortByPhase& row) {
     fmt::print("{} {}, {:.2f} steps per query\n", row.table, row.algorithm, row.steps);
     if (!row.wrong.empty()) fmt::print("  wrong: {}\n", row.wrong);
-    if (row.phases.empty()) {
-        fmt::print("  not counted: {}{}{}\n", row.reason, row.remedy.empty() ? "" : "; ", row.remedy);
-        return;
-    }
+    if (row.phases.empty())
+        return fmt::print("  not counted: {}{}{}\n", row.reason, row.remedy.empty() ? "" : "; ", row.remedy);
     fmt::print("code that ran: {} bytes in lines of 64\n", row.code_bytes);
     const nlohmann::json json = phases_json(row);
     nlohmann::json rows = json["phases"];
@@ -122,7 +120,7 @@ studies::EffortPlan plan_of(const EffortArguments& options) {
             bench::select_algorithms(options.algorithms), measure::choose_machines(options.machines).front()};
 }
 
-nlohmann::json effort_json(const studies::EffortRow& row) {
+nlohmann::json effort_json(const store::StoredCell& row) {
     nlohmann::json figures = nlohmann::json::object();
     for (const store::FigureRow& figure : row.figures) {
         figures[figure.probe + "." + figure.name] = {{"value", or_null(figure.value)},
@@ -130,20 +128,15 @@ nlohmann::json effort_json(const studies::EffortRow& row) {
                                                      {"reason", or_null(figure.reason)},
                                                      {"remedy", or_null(figure.remedy)}};
     }
-    return {{"table", row.cell.table},
-            {"algorithm", row.cell.algorithm},
-            {"scene", row.cell.scene},
-            {"shape", row.cell.shape},
-            {"status", to_string(row.cell.status)},
-            {"reason", or_null(row.cell.reason)},
+    return {{"table", row.table}, {"algorithm", row.algorithm},      {"scene", row.scene},
+            {"shape", row.shape}, {"status", to_string(row.status)}, {"reason", or_null(row.reason)},
             {"figures", figures}};
 }
 
 /// The report's tables of an effort run.
-void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& options) {
+void print(const std::vector<store::StoredCell>& rows, const EffortArguments& options) {
     reports::ReportData data;
-    for (const studies::EffortRow& row : rows)
-        data.effort.push_back({{row.cell, row.figures}, row.cell.scene});
+    for (const store::StoredCell& row : rows) data.effort.push_back({row, row.scene});
     fmt::print("per query of {} on {}, caches of {}\n", options.cell.scene, options.cell.shape,
                options.machines.front());
     for (const reports::TextGrid& grid :
@@ -156,12 +149,12 @@ void print(const std::vector<studies::EffortRow>& rows, const EffortArguments& o
 
 /// In the plan's order; those that the store already has are not in it.
 bool measure_rows(const EffortArguments& options, const studies::EffortPlan& plan,
-                  std::vector<studies::EffortRow>& rows) {
-    std::vector<std::optional<studies::EffortRow>> places(studies::contenders(plan).size());
+                  std::vector<store::StoredCell>& rows) {
+    std::vector<std::optional<store::StoredCell>> places(studies::contenders(plan).size());
     Progress progress("effort", places.size());
-    const auto take = [&](std::size_t place, const studies::EffortRow& row) {
+    const auto take = [&](std::size_t place, const store::StoredCell& row) {
         places[place] = row;
-        progress.advance(1, row.cell.table + " " + row.cell.algorithm);
+        progress.advance(1, row.table + " " + row.algorithm);
     };
     const std::atomic<bool>& stop = stop_on_signals();
     bool done = false;
@@ -186,7 +179,7 @@ bool measure_rows(const EffortArguments& options, const studies::EffortPlan& pla
 int run_effort(const EffortArguments& options, bool json) {
     const studies::EffortPlan plan = plan_of(options);
     if (options.by_phase) return print_phases(plan, json);
-    std::vector<studies::EffortRow> rows;
+    std::vector<store::StoredCell> rows;
     if (!measure_rows(options, plan, rows)) return exit_check_failed;
     if (json) {
         print_json(nlohmann::json(
@@ -195,7 +188,7 @@ int run_effort(const EffortArguments& options, bool json) {
         print(rows, options);
     }
     const auto has = [](store::CellStatus status) {
-        return [status](const studies::EffortRow& row) { return row.cell.status == status; };
+        return [status](const store::StoredCell& row) { return row.status == status; };
     };
     const bool nothing = !rows.empty() && std::ranges::all_of(rows, has(store::CellStatus::unavailable));
     if (nothing) warn("nothing was measured; each row says why");

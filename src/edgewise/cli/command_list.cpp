@@ -20,6 +20,11 @@
 #include "edgewise/sweep/axes.hpp"
 #include "edgewise/sweep/plan.hpp"
 
+namespace edgewise::scene {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeInfo, name, vertices, edges, faces)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(HardFamily, name, varies, breaks)
+}  // namespace edgewise::scene
+
 namespace edgewise::cli {
 
 namespace {
@@ -136,20 +141,9 @@ Json list_scene_files() {
     });
 }
 
-Json list_of_shapes() {
-    return json_rows(scene::list_shapes(), [](const scene::ShapeInfo& shape) {
-        return Json{{"name", shape.name},
-                    {"vertices", shape.vertices},
-                    {"edges", shape.edges},
-                    {"faces", shape.faces}};
-    });
-}
+Json list_of_shapes() { return scene::list_shapes(); }
 
-Json list_families() {
-    return json_rows(scene::hard_families(), [](const scene::HardFamily& family) {
-        return Json{{"name", family.name}, {"varies", family.varies}, {"breaks", family.breaks}};
-    });
-}
+Json list_families() { return scene::hard_families(); }
 
 /// Each as the file that it could be.
 Json list_machines() {

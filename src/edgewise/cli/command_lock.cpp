@@ -112,7 +112,7 @@ LockArguments options_of(const measure::FigureRecord& lock, const std::string& f
 
 /// The lock's sizes as a header for a user's build, of which each fails to compile if it differs there.
 std::string header_of(const LockArguments& options, const measure::FigureRecord& lock) {
-    const bench::TableType& type = *bench::select_table_types(std::vector{options.cell.table}).front();
+    const bench::TableType& type = bench::table_type_called(options.cell.table);
     const auto bytes_of = [&](const std::string& component) {
         return std::ranges::find(lock.rows, "bytes" + component, &measure::RecordRow::figure)->value;
     };

@@ -132,10 +132,7 @@ void print(const thrash::RealisedCell& cell) {
     fmt::print("\nrealised: {}, {} tables, steps of {:.4g} s, {} bodies, {} MiB, {:g} us a fault\n",
                setting.table, setting.shared ? "shared" : "own", setting.time_step, setting.bodies,
                setting.memory_bytes >> 20, setting.fault_ns / 1000);
-    if (!cell.reason.empty()) {
-        fmt::print("  not measured: {}\n", cell.reason);
-        return;
-    }
+    if (!cell.reason.empty()) return fmt::print("  not measured: {}\n", cell.reason);
     for (const thrash::RealisedCurve& curve : cell.curves) {
         fmt::print("  {:<9} {:<5} us per query, measured (predicted; modelled):", curve.shape,
                    curve.algorithm);

@@ -20,17 +20,16 @@ namespace edgewise::cli {
 namespace {
 
 struct StabilityArguments {
+    studies::StabilityPlan plan;
     std::string store = default_store, shard, costs;
-    std::vector<std::string> families, layouts = {"all"}, algorithms = {"all"}, shapes;
-    std::size_t count = 200, proofs = 200;
-    std::uint64_t seed = 1;
+    std::vector<std::string> layouts = {"all"}, algorithms = {"all"}, shapes;
     bool as_stored = false;
 };
 
 /// The named bodies, or hulls of the usual mesh files, of which those that cannot be read are passed over;
 /// none where no family asks for them.
 std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
-    const auto& families = options.families;
+    const auto& families = options.plan.families;
     if (options.shapes.empty() && !families.empty() &&
         std::ranges::find(families, studies::real_family) == families.end())
         return {};
@@ -47,25 +46,13 @@ std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     return bodies;
 }
 
-studies::StabilityPlan chosen_plan(const StabilityArguments& options) {
-    studies::StabilityPlan plan;
-    plan.families = options.families;
-    plan.count = options.count;
-    plan.proofs = options.proofs;
-    plan.seed = options.seed;
-    plan.types = bench::select_table_types(options.layouts);
-    plan.algorithms = bench::select_algorithms(options.algorithms);
-    plan.real = real_bodies(options);
-    return plan;
-}
-
 /// The rows are kept for the table at the end.
 studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
                                             reports::ReportData& data) {
     Progress progress("stability", studies::stability_rows(plan), 0, "rows");
-    const auto take = [&](const studies::StabilityRow& row) {
-        data.stability.push_back({{row.cell, row.figures}, row.cell.scene});
-        progress.advance(1, row.cell.shape + " " + row.cell.table);
+    const auto take = [&](const store::StoredCell& row) {
+        data.stability.push_back({row, row.scene});
+        progress.advance(1, row.shape + " " + row.table);
     };
     return studies::store_stability(plan, store, take, stop_on_signals());
 }
@@ -81,7 +68,10 @@ void print(const reports::ReportData& data) {
 
 int run_stability(const StabilityArguments& options, bool json) {
     check_folder_of(options.store, "--store");
-    studies::StabilityPlan plan = chosen_plan(options);
+    studies::StabilityPlan plan = options.plan;
+    plan.types = bench::select_table_types(options.layouts);
+    plan.algorithms = bench::select_algorithms(options.algorithms);
+    plan.real = real_bodies(options);
     static_cast<void>(studies::stability_rows(plan));  // refuses unknown families before a store is made
     const sweep::Shard shard = chosen_shard(options.shard);
     const auto seconds =
@@ -119,14 +109,14 @@ void add_stability(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "stability",
                     "Hard cases through every algorithm and table type, judged exactly", run_stability);
-    add_families_option(*command, options.families);
+    add_families_option(*command, options.plan.families);
     add_layouts_option(*command, options.layouts);
     add_algorithms_option(*command, options.algorithms);
     add_shapes_option(*command, options.shapes, options.as_stored);
-    add_count(*command, "--count", options.count, input::cases_range, "poses per family");
-    add_count(*command, "--proofs", options.proofs, input::cases_or_none,
+    add_count(*command, "--count", options.plan.count, input::cases_range, "poses per family");
+    add_count(*command, "--proofs", options.plan.proofs, input::cases_or_none,
               "poses per family with depth, certificate and time, at most");
-    add_seed_option(*command, options.seed);
+    add_seed_option(*command, options.plan.seed);
     add_shard_options(*command, options.shard, options.costs);
     add_store_option(*command, options.store, "filled or resumed")->capture_default_str();
 }

@@ -275,35 +275,27 @@ int finish_sweep(const SweepArguments& options, const PartsSummary& outcome, con
     return nothing || cells.failed + rows.failed > 0 ? exit_check_failed : exit_done;
 }
 
-/// Returns false for a part without --store: its folder is made for it.
-bool names_store(const SweepArguments& options, const sweep::Shard& shard) {
-    return shard.is_whole() || !options.store.empty();
-}
-
-void check_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
-    if (names_store(options, shard)) check_folder_of(store, "--store");
-    if (!options.out.empty()) check_folder(options.out, "--out");
-}
-
-void make_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store) {
-    if (names_store(options, shard))
-        make_folder_of(store, "--store");
-    else
+/// Checks the folders, or makes them. The folder of a part without --store is made for it.
+void check_folders(const SweepArguments& options, const sweep::Shard& shard, const std::string& store,
+                   bool makes) {
+    if (shard.is_whole() || !options.store.empty())
+        (makes ? make_folder_of : check_folder_of)(store, "--store");
+    else if (makes)
         std::filesystem::create_directories(folder_of(store));
-    if (!options.out.empty()) make_folder(options.out, "--out");
+    if (!options.out.empty()) (makes ? make_folder : check_folder)(options.out, "--out");
 }
 
 int run_sweep(const SweepArguments& options, bool json) {
     refuse_unused(options);
     const sweep::Shard shard = chosen_shard(options.shard);
     const std::string path = store_of(options, shard);
-    check_folders(options, shard, path);
+    check_folders(options, shard, path, false);
     const auto seconds =
         options.costs.empty() ? std::map<std::string, double>() : sweep::seconds_in(options.costs);
     sweep::SweepWork work = sweep::prepare_sweep(chosen_plan(options), warn);
     sweep::keep_shard(work, shard, seconds);
     if (options.process > 1) sweep::keep_finalists(work, path);
-    make_folders(options, shard, path);
+    check_folders(options, shard, path, true);
     if (options.process == 1) say_how_quiet(options.waits, json);
     PartsSummary outcome;
     {

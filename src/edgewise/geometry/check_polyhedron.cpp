@@ -19,11 +19,6 @@ namespace {
 
 using Violations = std::vector<std::string>;
 
-bool all_finite(const Polyhedron& body) {
-    return std::all_of(body.vertices.begin(), body.vertices.end(),
-                       [](const Vec3d& v) { return v.allFinite(); });
-}
-
 /// Reports a normal that has not unit length, ring vertices off the plane, and a vertex above the plane.
 void check_plane(const Polyhedron& body, const VertexBoxes& boxes, Index f, double tolerance,
                  Violations& found) {
@@ -46,25 +41,22 @@ void check_plane(const Polyhedron& body, const VertexBoxes& boxes, Index f, doub
     }
 }
 
-/// Reports a ring that is not a convex polygon, counter-clockwise as seen from the plane's positive side.
-void check_winding(const Polyhedron& body, Index f, double tolerance, Violations& found) {
-    const std::optional<Index> corner = corner_outside(body, f, tolerance);
-    if (!corner) return;
-    found.push_back(message(face_name(body, f), ": not a convex polygon run counter-clockwise, see vertex ",
-                            body.input_index[*corner]));
-}
-
 }  // namespace
 
 Violations check_polyhedron(const Polyhedron& body, double planarity) {
     Violations found = check_topology(body);
     if (!found.empty()) return found;
-    if (!all_finite(body)) return {"a vertex is not finite"};
+    if (!std::ranges::all_of(body.vertices, [](const Vec3d& v) { return v.allFinite(); }))
+        return {"a vertex is not finite"};
     const double tolerance = shape_tolerance(body, planarity);
     const VertexBoxes boxes(body.vertices);
     for (Index f = 0; f < body.face_count(); ++f) {
         check_plane(body, boxes, f, tolerance, found);
-        check_winding(body, f, tolerance, found);
+        // A ring must be a convex polygon, counter-clockwise as seen from the plane's positive side.
+        if (const std::optional<Index> corner = corner_outside(body, f, tolerance))
+            found.push_back(message(face_name(body, f),
+                                    ": not a convex polygon run counter-clockwise, see vertex ",
+                                    body.input_index[*corner]));
     }
     return found;
 }

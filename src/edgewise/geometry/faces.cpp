@@ -50,14 +50,6 @@ FaceRings welded(std::span<const Vec3d> points, Faces faces) {
     return result;
 }
 
-std::string area_error(const Polyhedron& body) {
-    for (Index f = 0; f < body.face_count(); ++f) {
-        if (max_abs(body.face_planes[f].normal) > 0) continue;
-        return face_name(body, f) + " has no area";
-    }
-    return {};
-}
-
 std::string unused_warning(std::span<const Vec3d> points, Faces faces) {
     std::vector<bool> used(points.size(), false);
     for (const std::vector<Index>& face : faces) {
@@ -89,8 +81,9 @@ Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points, Faces fa
     if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
     Result<Polyhedron> body = build_outward(std::move(rings));
     if (!body) return body;
-    error = area_error(*body);
-    if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
+    for (Index f = 0; f < body->face_count(); ++f)
+        if (!(max_abs(body->face_planes[f].normal) > 0))
+            return Result<Polyhedron>::failure(face_name(*body, f) + " has no area");
     const std::vector<std::string> violations = check_polyhedron(*body);
     if (!violations.empty()) {
         if (check_polyhedron(*body, single_planarity).empty()) return hull_of_bent(*body);

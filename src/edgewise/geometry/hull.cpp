@@ -44,16 +44,6 @@ void drop_middle_vertices(Rings& rings, std::size_t vertices) {
     }
 }
 
-std::vector<Index> blamed_vertices(const Polyhedron& body) {
-    const double tolerance = shape_tolerance(body, face_planarity);
-    std::vector<Index> blamed;
-    for (Index f = 0; f < body.face_count(); ++f) {
-        if (corner_outside(body, f, tolerance))
-            blamed.push_back(body.input_index[most_reflex_corner(body, f)]);
-    }
-    return blamed;
-}
-
 using Map = std::vector<Vec3d> (*)(std::span<const Vec3d>, std::span<const Index>);
 
 /// One hull of the chosen points, as Qhull sees them through `map`. Points that keep a merged face from being
@@ -65,7 +55,11 @@ Result<Polyhedron> hull_through(Map map, std::span<const Vec3d> points, std::vec
         drop_middle_vertices(facets.rings, chosen.size());
         Result<Polyhedron> body = build_outward(in_input_order(points, chosen, facets.rings));
         if (!body) return body;
-        const std::vector<Index> blamed = blamed_vertices(*body);
+        const double tolerance = shape_tolerance(*body, face_planarity);
+        std::vector<Index> blamed;
+        for (Index f = 0; f < body->face_count(); ++f)
+            if (corner_outside(*body, f, tolerance))
+                blamed.push_back(body->input_index[most_reflex_corner(*body, f)]);
         if (blamed.empty()) return body;
         std::erase_if(chosen,
                       [&](Index i) { return std::find(blamed.begin(), blamed.end(), i) != blamed.end(); });

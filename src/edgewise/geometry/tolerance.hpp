@@ -182,6 +182,10 @@ inline constexpr double offset_rounding = 4 * std::numeric_limits<double>::epsil
 /// a box reaches above it, together.
 inline constexpr double box_rounding = 32 * std::numeric_limits<double>::epsilon();
 
+/// Relative to the offset and the half extents of two boxes, and to the length of the direction: the rounding
+/// of how far their shadows on it are apart.
+inline constexpr double box_axis_rounding = std::numeric_limits<double>::epsilon();
+
 /// Pure number: how far the length of a unit normal may be from 1.
 inline constexpr double unit_length = 8 * std::numeric_limits<double>::epsilon();
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/polyhedron_builder.hpp"
@@ -15,29 +15,28 @@
 namespace edgewise {
 namespace {
 
-std::size_t degree_of(const Polyhedron& body, Index v) { return body.ring_of_vertex(v).size(); }
-
-bool fewer_neighbours(const Polyhedron& body, Index a, Index b) {
-    return std::make_tuple(degree_of(body, a), a) < std::make_tuple(degree_of(body, b), b);
+/// What vertices are sorted by: fewest neighbours, then the index.
+auto degree_in(const Polyhedron& body) {
+    return [&body](Index v) { return std::pair(body.ring_of_vertex(v).size(), v); };
 }
 
-/// Vertices in breadth-first order: neighbours of a vertex follow it in the order of their degrees.
+/// Vertices in breadth-first order: neighbours of a vertex follow it by their degrees, or in ring order.
 struct Levels {
     std::vector<Index> order;
     std::size_t count = 0, last_begins = 0;  ///< levels, and where the last one starts in `order`
 
-    Levels(const Polyhedron& body, Index root) : order{root} {
+    Levels(const Polyhedron& body, Index root, bool by_degree = true) : order{root} {
         std::vector<bool> met(body.vertex_count());
         met[root] = true;
         for (std::size_t begin = 0; begin < order.size(); ++count) {
             last_begins = begin;
             const std::size_t end = order.size();
-            for (; begin < end; ++begin) append_neighbours(body, order[begin], met);
+            for (; begin < end; ++begin) append_neighbours(body, order[begin], by_degree, met);
         }
     }
 
   private:
-    void append_neighbours(const Polyhedron& body, Index v, std::vector<bool>& met) {
+    void append_neighbours(const Polyhedron& body, Index v, bool by_degree, std::vector<bool>& met) {
         const auto first = static_cast<std::ptrdiff_t>(order.size());
         for (const HalfEdge h : body.ring_of_vertex(v)) {
             const Index neighbour = body.head(h);
@@ -45,8 +44,7 @@ struct Levels {
             met[neighbour] = true;
             order.push_back(neighbour);
         }
-        std::sort(order.begin() + first, order.end(),
-                  [&](Index a, Index b) { return fewer_neighbours(body, a, b); });
+        if (by_degree) std::ranges::sort(order.begin() + first, order.end(), {}, degree_in(body));
     }
 };
 
@@ -55,8 +53,7 @@ Levels longest_levels(const Polyhedron& body) {
     Levels best(body, 0);
     for (;;) {
         const auto last = best.order.begin() + static_cast<std::ptrdiff_t>(best.last_begins);
-        const Index far = *std::min_element(last, best.order.end(),
-                                            [&](Index a, Index b) { return fewer_neighbours(body, a, b); });
+        const Index far = *std::ranges::min_element(last, best.order.end(), {}, degree_in(body));
         Levels tried(body, far);
         const bool longer = tried.count > best.count;
         best = std::move(tried);
@@ -118,25 +115,10 @@ std::vector<Index> along_curve(const Polyhedron& body) {
     return order;
 }
 
-std::vector<Index> breadth_first(const Polyhedron& body) {
-    std::vector<Index> order = {0};
-    std::vector<bool> met(body.vertex_count());
-    met[0] = true;
-    for (std::size_t next = 0; next < order.size(); ++next) {
-        for (const HalfEdge h : body.ring_of_vertex(order[next])) {
-            const Index v = body.head(h);
-            if (met[v]) continue;
-            met[v] = true;
-            order.push_back(v);
-        }
-    }
-    return order;
-}
-
 /// Returns for each new index the index in the body.
 std::vector<Index> order_of_vertices(const Polyhedron& body, VertexOrder order) {
     if (order == VertexOrder::rcm) return bandwidth_order(body);
-    return order == VertexOrder::bfs ? breadth_first(body) : along_curve(body);
+    return order == VertexOrder::bfs ? Levels(body, 0, false).order : along_curve(body);
 }
 
 }  // namespace

@@ -32,13 +32,6 @@ std::uint64_t mapped_bytes() {
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-void limit_memory(std::uint64_t bytes) {
-    const rlimit limit{mapped_bytes() + bytes, mapped_bytes() + bytes};
-    setrlimit(RLIMIT_AS, &limit);
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-}
-
 bool write_all(int to, const std::string& bytes) {
     for (std::size_t sent = 0; sent < bytes.size();) {
         const ssize_t count = write(to, bytes.data() + sent, bytes.size() - sent);
@@ -55,7 +48,10 @@ bool write_all(int to, const std::string& bytes) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(exit_pipe);
     for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
-    limit_memory(limits.memory_bytes);
+    const rlimit memory{mapped_bytes() + limits.memory_bytes, mapped_bytes() + limits.memory_bytes};
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_AS, &memory);
+    setrlimit(RLIMIT_CORE, &no_core);
     try {
         _exit(write_all(to, work()) ? exit_done : exit_pipe);
     } catch (const std::bad_alloc&) {
@@ -79,13 +75,6 @@ bool read_all(int from, Clock::time_point end, std::string& to) {
     }
 }
 
-int end_of(pid_t child) {
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return status;
-}
-
 }  // namespace
 
 Result<std::string> run_guarded(const std::function<std::string()>& work, const GuardLimits& limits) {
@@ -103,7 +92,9 @@ Result<std::string> run_guarded(const std::function<std::string()>& work, const 
     close(ends[0]);
     if (child < 0) return Answer::failure("no process can be made: out of memory or of processes");
     if (!in_time) kill(child, SIGKILL);
-    const int status = end_of(child);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     if (!in_time)
         return Answer::failure(fmt::format("took longer than the {:.3g} s it was given",
                                            std::chrono::duration<double>(limits.time).count()));

@@ -15,15 +15,15 @@
 
 namespace edgewise {
 
-namespace known_names_detail {
-
-inline std::string lower_case(std::string_view text) {
+[[nodiscard]] inline std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
     return lower;
 }
+
+namespace known_names_detail {
 
 /// Most edits that still count as a slip: one letter of a short name, a third of a longer one.
 inline int most_edits(std::string_view name) { return std::max(1, static_cast<int>(name.size()) / 3); }
@@ -36,7 +36,7 @@ inline constexpr std::size_t least_beginning = 3;
 /// Number of letters to insert, delete, replace, or swap with their neighbour, to turn one name into the
 /// other (optimal string alignment). Ignores case.
 [[nodiscard]] inline int edits_between(std::string_view first, std::string_view second) {
-    const std::string a = known_names_detail::lower_case(first), b = known_names_detail::lower_case(second);
+    const std::string a = lower_case(first), b = lower_case(second);
     // Rows of the table of distances between beginnings: two letters ago, one letter ago, now.
     std::vector<int> before, last(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);

@@ -21,6 +21,7 @@ struct PeerQuery {
     std::uint32_t shape_a, shape_b;  ///< in the order of the bodies that shapes were made of
     std::uint32_t pair;              ///< queries of one pair follow each other in time
     Pose pose_a, pose_b;
+    double radius_a = 0, radius_b = 0;  ///< around the shapes
 };
 
 /// In world coordinates, as the library gives them.

@@ -11,6 +11,18 @@
 
 namespace edgewise::peers {
 
+/// The answer of bodies with radii from that of their cores: what libraries that know a radius do as well.
+[[nodiscard]] inline PeerAnswer rounded(PeerAnswer cores, double radius_a, double radius_b) {
+    if (!cores.answered || !cores.separated) return cores;
+    const double gap = cores.distance - (radius_a + radius_b);
+    if (gap < 0) return {};
+    const Vec3d normal = (cores.point_b - cores.point_a) / cores.distance;
+    cores.point_a += radius_a * normal;
+    cores.point_b -= radius_b * normal;
+    cores.distance = gap;
+    return cores;
+}
+
 /// Library: types Shape (made of a Polyhedron), Placed (made of a Pose) and Cache (default: cold), and
 ///     static PeerAnswer query(const Shape&, const Placed&, const Shape&, const Placed&, Cache&,
 ///                             bool verdict_alone).
@@ -32,7 +44,7 @@ class PeerBenchFor final : public PeerBench {
         asked_.reserve(queries.size());
         for (const PeerQuery& query : queries) {
             asked_.push_back({shapes_[query.shape_a].get(), shapes_[query.shape_b].get(), query.pair,
-                              Placed(query.pose_a), Placed(query.pose_b)});
+                              Placed(query.pose_a), Placed(query.pose_b), query.radius_a, query.radius_b});
         }
         caches_.assign(pairs, Cache{});
         verdict_alone_ = verdict_alone;
@@ -58,12 +70,16 @@ class PeerBenchFor final : public PeerBench {
         const Shape *a, *b;
         std::uint32_t pair;
         Placed placed_a, placed_b;
+        double radius_a, radius_b;
     };
 
     PeerAnswer ask(const Asked& asked) {
         Cache cold{};
-        return Library::query(*asked.a, asked.placed_a, *asked.b, asked.placed_b,
-                              caches_.empty() ? cold : caches_[asked.pair], verdict_alone_);
+        const bool has_radii = asked.radius_a + asked.radius_b > 0;
+        const PeerAnswer answer =
+            Library::query(*asked.a, asked.placed_a, *asked.b, asked.placed_b,
+                           caches_.empty() ? cold : caches_[asked.pair], verdict_alone_ && !has_radii);
+        return has_radii ? rounded(answer, asked.radius_a, asked.radius_b) : answer;
     }
 
     std::vector<std::unique_ptr<const Shape>> shapes_;

@@ -15,6 +15,7 @@
 #include "edgewise/geometry/hull/point_set.hpp"
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/scene/json_fields.hpp"
+#include "edgewise/scene/mesh/mesh_text.hpp"
 #include "edgewise/scene/nearest_rotation.hpp"
 
 namespace edgewise::scene {
@@ -23,24 +24,10 @@ namespace {
 /// The members that a case is made of come first. The others are carried along and not read: sources, notes,
 /// and what an answer should be (`expect`).
 std::vector<std::string> line_members() {
-    return {"id",
-            "a",
-            "b",
-            "pose_a",
-            "pose_b",
-            "source",
-            "expect",
-            "note",
-            "kind",
-            "tags",
-            "shapes",
-            "offset",
-            "max_extent",
-            "ortho_err",
-            "input_precision",
-            "thread_says",
-            "agrees_with_thread",
-            "disagreement"};
+    const auto words = words_of(
+        "id a b pose_a pose_b source expect note kind tags shapes offset max_extent ortho_err "
+        "input_precision thread_says agrees_with_thread disagreement");
+    return {words.begin(), words.end()};
 }
 
 void refuse_unknown(const Json& object, const std::string& what, const std::vector<std::string>& known) {
@@ -122,13 +109,6 @@ Pose pose_of(const Json& line, const char* key, std::string& note) {
     return pose;
 }
 
-std::string id_of(const Json& line) {
-    const Json& value = member(line, "id");
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_number_integer()) return value.dump();
-    throw JsonFault{"id is neither a string nor a whole number"};
-}
-
 /// Names text that begins as JSON but is no case line: a part of a longer text, or a list of cases.
 std::string other_json(std::string_view text) {
     const bool opens = text.starts_with('{') || text.starts_with('[');
@@ -155,7 +135,10 @@ Result<Case> parse_case(std::string_view line, const std::string& where, std::st
     id.clear();
     try {
         const Json object = parse_line(line);
-        if (!member(object, "id").is_null()) id = id_of(object);
+        const Json& name = member(object, "id");
+        if (!name.is_null() && !name.is_string() && !name.is_number_integer())
+            throw JsonFault{"id is neither a string nor a whole number"};
+        if (!name.is_null()) id = name.is_string() ? name.get<std::string>() : name.dump();
         refuse_unknown_members(object);
         check_members(object);
         Case read{id, body_of(object, "a", where), body_of(object, "b", where), {}, {}};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Recorded motion of an engine: files in the format convex-motion (docs/your_engine.md), and the scene that
-// replays them. Every shape is a convex core and a radius. The library has no radius yet, so the cores are
-// queried, and the note says which radii were left off. Shapes with a core without vertices (plane,
+// replays them. Every shape is a convex core and a radius: the axis radius=recorded asks the rounded
+// bodies, all other cells ask the cores, and the note says so. Shapes with a core without vertices (plane,
 // cylinder, ellipsoid, unknown types) are left out with their pairs, and counted.
 #pragma once
 

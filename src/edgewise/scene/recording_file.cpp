@@ -309,8 +309,9 @@ class RecordingReader {
         }
         if (rounded > 0)
             parts.push_back(
-                fmt::format("the cores are asked, without the radii (to {:.3g}) of {} of {} bodies", largest,
-                            rounded, recording_.bodies.size()));
+                fmt::format("the cores are asked, without the radii (to {:.3g}) of {} of {} bodies, except "
+                            "with --axes radius=recorded",
+                            largest, rounded, recording_.bodies.size()));
         std::vector<std::string> types;
         for (const auto& [type, count] : left_out_)
             types.push_back(fmt::format("{} {}", count, on_one_line(type)));

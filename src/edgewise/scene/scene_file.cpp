@@ -158,20 +158,17 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
     return {shape.name, *complete};
 }
 
-/// A built-in body, or the body of a mesh file in the scene file's folder.
-NamedShape shape_called(const std::string& name, const SceneFileContext& context, std::string& warning) {
-    auto shape = named_shape(names_mesh_file(name) ? (context.folder / name).string() : name,
-                             {.as_stored = context.as_stored});
-    if (!shape) throw JsonFault{"shapes: " + shape.error};
-    if (!shape.warning.empty()) warning += (warning.empty() ? "" : "; ") + shape.warning;
-    return *std::move(shape);
-}
-
+/// Built-in bodies, and bodies of mesh files in the scene file's folder.
 std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& context, std::string& warning) {
     std::vector<NamedShape> shapes;
     for (const auto& name :
-         member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files"))
-        shapes.push_back(shape_called(name, context, warning));
+         member<std::vector<std::string>>(json, "shapes", {}, "a list of shapes' names and mesh files")) {
+        auto shape = named_shape(names_mesh_file(name) ? (context.folder / name).string() : name,
+                                 {.as_stored = context.as_stored});
+        if (!shape) throw JsonFault{"shapes: " + shape.error};
+        if (!shape.warning.empty()) warning += (warning.empty() ? "" : "; ") + shape.warning;
+        shapes.push_back(*std::move(shape));
+    }
     if (shapes.empty()) throw JsonFault{"shapes needs at least one name"};
     if (const std::string twice = shape_given_twice(shapes); !twice.empty())
         throw JsonFault{"shapes: " + twice};
@@ -224,19 +221,6 @@ double margin_of(const Json& json, Needs needs) {
     return margin;
 }
 
-void check_sharing(const Json& json) {
-    const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
-    if (sharing != "shared" && sharing != "per_instance")
-        throw JsonFault{unknown_name("sharing", sharing, {"shared", "per_instance"})};
-}
-
-std::size_t queries_of(const Json& json) {
-    if (!json.contains("queries")) return 0;
-    const auto queries = input::count_from(json.at("queries"), input::queries_or_none);
-    if (!queries) throw JsonFault{"queries = " + queries.error};
-    return *queries;
-}
-
 SceneFile read(const std::string& name, const Json& json, const SceneFileContext& context,
                std::string& warning) {
     check_members(json);
@@ -254,8 +238,12 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
                                     file.time_step, longest_time_step)};
     file.needs = needs_of(json);
     file.margin = margin_of(json, file.needs);
-    check_sharing(json);
-    file.queries = queries_of(json);
+    const auto sharing = member<std::string>(json, "sharing", "shared", "shared or per_instance");
+    if (sharing != "shared" && sharing != "per_instance")
+        throw JsonFault{unknown_name("sharing", sharing, {"shared", "per_instance"})};
+    const auto queries = input::count_from(json.value("queries", Json(0U)), input::queries_or_none);
+    if (!queries) throw JsonFault{"queries = " + queries.error};
+    file.queries = *queries;
     file.note = member<std::string>(json, "note", "", "a text");
     add_points(json, file);
     return file;

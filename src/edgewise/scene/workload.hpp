@@ -37,6 +37,7 @@ struct Workload {
     std::vector<Query> queries;  ///< a pair's in time order
     std::vector<Frame> frames;   ///< of a scene in time order; empty: pair after pair, or one query each
     std::vector<std::uint32_t> instances;  ///< instances in the scene: the index of each one's body
+    std::vector<double> radii;  ///< around the instances, in the bodies' unit; empty: the scene has none
     std::uint32_t pair_count = 0;
     bool warm = false;        ///< keep a pair's cache from query to query; else every query starts cold
     bool table_each = false;  ///< the scene is about a table for each instance; else instances share

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -32,8 +33,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* merged_key = "merged";
 
-/// Part of a campaign from "3/8"; nothing for other texts.
-std::optional<PartOf> part_from(const std::string& text) {
+/// Part `index` of `count` of a campaign.
+struct PartOf {
+    std::size_t index, count;
+};
+
+/// From "3/8"; nothing for other texts.
+std::optional<PartOf> part_of(const MergeSource& source) {
+    const std::string text = source.value(shard_key);
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return std::nullopt;
     const auto index = input::parse_count(std::string_view(text).substr(0, slash), {}),
@@ -213,7 +220,7 @@ std::vector<MergeSource> sources_of(const std::vector<std::string>& stores) {
         if (!again) sources.emplace_back(path);
     }
     std::ranges::sort(sources, {}, [](const MergeSource& source) {
-        const auto part = source.part();
+        const auto part = part_of(source);
         return std::pair(part ? part->index : 0, source.path);
     });
     return sources;
@@ -285,11 +292,11 @@ std::vector<std::string> missing_parts(const std::vector<MergeSource>& sources) 
     std::vector<std::string> missing;
     std::size_t count = 0;
     for (const MergeSource& source : sources) {
-        const auto part = source.part();
+        const auto part = part_of(source);
         if (!part) continue;
         count = part->count;
         counts.try_emplace(std::to_string(count), source.path);
-        complete[part->index] = complete[part->index] || source.is_complete();
+        complete[part->index] |= source.value(complete_key) == source.value(shard_key);
     }
     check_one(counts, "numbers of shards");
     for (std::size_t index = 0; index < count; ++index) {
@@ -323,10 +330,6 @@ std::string MergeSource::value(const std::string& key) const {
     const auto found = meta.find(key);
     return found == meta.end() ? "" : found->second;
 }
-
-std::optional<PartOf> MergeSource::part() const { return part_from(value(shard_key)); }
-
-bool MergeSource::is_complete() const { return !part() || value(complete_key) == value(shard_key); }
 
 MergeSummary merge_stores(const std::vector<std::string>& stores, const std::string& out, bool mixed) {
     check_out(out);

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,11 +33,6 @@ struct MergeSummary {
 [[nodiscard]] MergeSummary merge_stores(const std::vector<std::string>& stores, const std::string& out,
                                         bool mixed);
 
-/// Part `index` of `count` of a campaign.
-struct PartOf {
-    std::size_t index = 0, count = 1;
-};
-
 /// The description of a store that is to be merged: its path, meta and revisions.
 struct MergeSource {
     std::string path;
@@ -49,8 +43,6 @@ struct MergeSource {
     explicit MergeSource(const std::string& path);
 
     [[nodiscard]] std::string value(const std::string& key) const;
-    [[nodiscard]] std::optional<PartOf> part() const;
-    [[nodiscard]] bool is_complete() const;
 };
 
 }  // namespace edgewise::store

@@ -150,22 +150,10 @@ namespace {
 
 using Trace = std::vector<measure::TracedAccess>;
 
-class Recorder final : public measure::TraceListener {
-  public:
-    void on_access(const measure::TracedAccess& access) override { trace_.push_back(access); }
-    void on_query_end(bool /*counts*/) override {}
-
-    [[nodiscard]] Trace take() { return std::move(trace_); }
-
-  private:
-    Trace trace_;
+struct Recorder final : measure::TraceListener {
+    void on_access(const measure::TracedAccess& access) override { trace.push_back(access); }
+    Trace trace;
 };
-
-Trace trace_of(const SingleCell& cell) {
-    Recorder recorder;
-    cell.runner().trace(bench::TraceExtent::everything(), recorder);
-    return recorder.take();
-}
 
 /// Returns aligned reads of 8 bytes at random addresses below `bytes`.
 Trace scattered(std::uint64_t bytes) {
@@ -209,12 +197,13 @@ void add_speeds(const std::string& name, const Trace& trace, int repetitions,
 }  // namespace
 
 std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions) {
-    const std::string names[] = {"zen5"};
-    const measure::MachineChoice machine = measure::choose_machines(names).front();
+    const measure::CacheMachine machine = measure::described_machines({"zen5"}).front();
+    Recorder own;
+    cell.runner().trace(bench::TraceExtent::everything(), own);
     std::vector<ModelSpeed> speeds;
-    add_speeds("the cell's own", trace_of(cell), repetitions, *machine.machine.value, speeds);
-    add_speeds("random in 16 KiB", scattered(1 << 14), repetitions, *machine.machine.value, speeds);
-    add_speeds("random in 64 MiB", scattered(1 << 26), repetitions, *machine.machine.value, speeds);
+    add_speeds("the cell's own", own.trace, repetitions, machine, speeds);
+    add_speeds("random in 16 KiB", scattered(1 << 14), repetitions, machine, speeds);
+    add_speeds("random in 64 MiB", scattered(1 << 26), repetitions, machine, speeds);
     return speeds;
 }
 

@@ -33,12 +33,6 @@ constexpr std::string_view order_values = "given|bfs|spatial|rcm", sharing_value
                            needs_values =
                                "nearer|within|verdict|distance|witnesses|features|depth|certificate";
 
-std::optional<bench::Sharing> sharing_from(std::string_view name) {
-    if (name == "shared") return bench::Sharing::shared;
-    if (name == "per_instance") return bench::Sharing::per_instance;
-    return std::nullopt;
-}
-
 template <class Value>
 Value known(std::string_view entry, const std::optional<Value>& value, std::string_view values) {
     if (!value) refuse(entry, fmt::format("wants {}", values));
@@ -53,6 +47,15 @@ bool is_second(std::string_view entry, std::string_view value, std::string_view 
     return value == values.substr(bar + 1);
 }
 
+[[noreturn]] void refuse_unknown(std::string_view entry, std::string_view name) {
+    std::vector<std::string> names, plain;
+    for (const AxisInfo& axis : axes_known()) {
+        plain.emplace_back(axis.name);
+        names.push_back(fmt::format("{}={}", axis.name, axis.values));
+    }
+    refuse(entry, fmt::format("unknown{} known: {}", did_you_mean(name, plain), fmt::join(names, ", ")));
+}
+
 void take(Axes& axes, std::string_view entry) {
     const std::size_t equals = entry.find('=');
     const std::string_view name = entry.substr(0, equals);
@@ -64,7 +67,8 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "order") {
         axes.tables.order = known(entry, vertex_order_from(value), order_values);
     } else if (name == "sharing") {
-        axes.tables.sharing = known(entry, sharing_from(value), sharing_values);
+        axes.tables.sharing =
+            is_second(entry, value, sharing_values) ? bench::Sharing::per_instance : bench::Sharing::shared;
     } else if (name == "allocator") {
         axes.tables.allocator = known(entry, bench::allocator_from(value), allocator_values);
     } else if (name == "batch") {
@@ -82,13 +86,11 @@ void take(Axes& axes, std::string_view entry) {
     } else if (name == "margin") {
         axes.margin = read_tolerance(entry, value, 1e60);
         if (axes.margin == 0) refuse(entry, "wants a number above 0: no distance is below 0");
+    } else if (name == "radius") {
+        axes.recorded_radii = value == "recorded";
+        axes.radius = axes.recorded_radii ? 0 : read_tolerance(entry, value, 1e60);
     } else {
-        std::vector<std::string> names, plain;
-        for (const AxisInfo& axis : axes_known()) {
-            plain.emplace_back(axis.name);
-            names.push_back(fmt::format("{}={}", axis.name, axis.values));
-        }
-        refuse(entry, fmt::format("unknown{} known: {}", did_you_mean(name, plain), fmt::join(names, ", ")));
+        refuse_unknown(entry, name);
     }
 }
 
@@ -101,6 +103,16 @@ void check_margin(const Axes& axes, std::string_view text) {
     if (asked && axes.query.contact_tolerance != 0)
         refuse(text, needs + " asks for its margin, not for contact: leave contact_tolerance out");
     if (asked && axes.batch) refuse(text, needs + " asks one pair at a time: leave batch out");
+}
+
+/// Refuses a radius where more is asked than a query of cores tells, or asked in another way.
+void check_radius(const Axes& axes, std::string_view text) {
+    if (!axes.rounds()) return;
+    if (has_margin(axes.needs) || axes.needs > Needs::witnesses)
+        refuse(text, "a radius goes with needs=verdict, distance and witnesses: choose one of these");
+    if (axes.query.contact_tolerance != 0)
+        refuse(text, "a radius is a tolerance of its own: leave contact_tolerance out");
+    if (axes.batch) refuse(text, "bodies with a radius are asked one pair at a time: leave batch out");
 }
 
 /// Refuses an axis that such a loop does not know, because it was compiled alone.
@@ -134,6 +146,8 @@ const std::vector<AxisInfo>& axes_known() {
         {"needs", needs_values, "what the scene asks of every answer, and pays for"},
         {"margin", "RATIO",
          "the distance that needs=nearer and within ask about, divided by the larger body's extent"},
+        {"radius", "RATIO|recorded",
+         "bodies are rounded: with a radius around them, divided by each one's extent, or a recording's"},
     };
     return axes;
 }
@@ -157,13 +171,15 @@ std::string Axes::text() const {
     if (!query.hardened) parts.emplace_back("hardening=off");
     if (needs != Needs::witnesses) parts.push_back(fmt::format("needs={}", to_string(needs)));
     if (has_margin(needs)) parts.push_back(fmt::format("margin={}", margin));
+    if (recorded_radii) parts.emplace_back("radius=recorded");
+    if (radius != 0) parts.push_back(fmt::format("radius={}", radius));
     return fmt::format("{}", fmt::join(parts, "+"));
 }
 
 bool Axes::concerns(std::string_view algorithm) const {
     const bool of_gjk = query.gap_tolerance != 0 || query.sub_distance != SubDistanceSolver::cofactors;
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           batch || starts_cold || default_build || (of_gjk && algorithm == "gjk") ||
+           batch || starts_cold || default_build || rounds() || (of_gjk && algorithm == "gjk") ||
            (!query.hardened && algorithm == "vclip");
 }
 
@@ -180,6 +196,7 @@ Axes parse_axes(std::string_view text) {
         text.remove_prefix(end == text.npos ? text.size() : end + 1);
     }
     check_margin(axes, whole);
+    check_radius(axes, whole);
     check_default_build(axes, whole);
     return axes;
 }

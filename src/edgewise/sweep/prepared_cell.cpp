@@ -37,6 +37,23 @@ std::size_t control_stride(const Polyhedron& body, std::size_t checked) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(work / most_work)));
 }
 
+/// Returns true if an answer says no more than whether the bodies, or cores, are nearer than their margin:
+/// rounded bodies that overlap have no distance, nor have those beyond the margin of needs=within.
+bool tells_margin_alone(const Distance& answer, const bench::RunnerOptions& asked, const MarginOf& margin,
+                        const scene::Query& query) {
+    const bool is_separated = answer.status == Status::separated;
+    if (asked.rounds()) return asked.query.is_for_verdict() || !is_separated;
+    return asked.needs == Needs::nearer ||
+           (asked.needs == Needs::within && is_separated && answer.distance >= margin(query));
+}
+
+/// `gap`: between the rounded bodies; below 0 where they overlap.
+void set_truth_of_rounded(double gap, truth::CheckedAnswer& checked) {
+    using enum truth::ExactVerdict;
+    checked.exact = gap > 0 ? separated : gap == 0 ? touching : overlapping;
+    checked.in_band = std::abs(gap) <= checked.band.band;
+}
+
 std::string print_of(std::span<const Polyhedron> bodies) {
     bench::Fingerprint print;
     for (const Polyhedron& body : bodies) print.add(body);
@@ -98,14 +115,13 @@ const std::vector<std::optional<bool>>& SharedQueries::control(std::span<const P
 
 std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span<const Polyhedron> stored,
                                                 std::span<const Distance> answers, double eps,
-                                                const QueryOptions& options, const MarginOf& margin,
-                                                bool gives_distance) {
+                                                const bench::RunnerOptions& asked, const MarginOf& margin) {
     auto& known_stored = shared.known(stored);
     auto& known_given = shared.known(shared.workload().bodies);
     const auto& control = shared.control(stored);
     truth::AllowedErrors allowed = truth::allowed_errors(eps);
     allowed.beyond_band = false;
-    const truth::Leeway leeway{options.contact_tolerance, options.gap_tolerance};
+    const truth::Leeway leeway{asked.query.contact_tolerance, asked.query.gap_tolerance};
     std::vector<truth::CheckedAnswer> result;
     for (std::size_t k = 0; k < shared.checked().size(); ++k) {
         const Distance& answer = answers[shared.checked()[k]];
@@ -113,19 +129,20 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
         const truth::PlacedBodies bodies = scene::placed(stored, query);
         const truth::AccuracyBand band = bodies.band(eps);
         truth::KnownPair& known = known_stored[k];
-        const bool is_beyond = margin && answer.status == Status::separated &&
-                               (!gives_distance || answer.distance >= margin(query));
-        if (margin && (is_beyond || !gives_distance)) {
-            result.push_back(truth::check_nearness(!is_beyond, known.exact(bodies), margin(query), band,
-                                                   options.gap_tolerance));
-            if (answer.status > Status::touching) result.back().verdict_wrong = true;  // it says neither
+        truth::Claim claim = scene::claim_of(answer, asked.query.is_for_verdict());
+        if (asked.rounds()) claim.distance += margin(query);
+        const bool margin_alone = tells_margin_alone(answer, asked, margin, query);
+        truth::CheckedAnswer& checked = result.emplace_back(
+            margin_alone ? truth::check_nearness(!claim.separated, known.exact(bodies), margin(query), band,
+                                                 leeway.gap_tolerance)
+                         : truth::check(claim, bodies, known, band, allowed, leeway));
+        if (asked.rounds()) set_truth_of_rounded(known.exact(bodies).distance - margin(query), checked);
+        if (margin_alone) {
+            if (claim.failed) checked.verdict_wrong = true;
             continue;
         }
-        const truth::Claim claim = scene::claim_of(answer, options.is_for_verdict());
-        truth::CheckedAnswer& checked =
-            result.emplace_back(truth::check(claim, bodies, known, band, allowed, leeway));
         const auto& given = known_given[k].exact(scene::placed(shared.workload().bodies, query));
-        if (!options.is_for_verdict())
+        if (!claim.verdict_only)
             checked.error_given = truth::distance_error(claim, given, leeway.contact_tolerance);
         if (k < control.size() && control[k]) checked.control_disagrees = *control[k] == claim.separated;
     }
@@ -150,17 +167,14 @@ bench::AnswerCounts count_answers(std::span<const Distance> answers, std::span<c
     counts.queries = answers.size();
     counts.follows_pairs = !cold.empty();
     for (std::size_t i = 0; i < answers.size(); ++i) {
+        const Distance& answer = answers[i];
         const bool warm = !cold.empty() && !cold[i];
         int& most = warm ? counts.max_warm_steps : counts.max_cold_steps;
-        most = std::max(most, answers[i].steps);
-        if (warm) counts.warm_steps += static_cast<std::uint64_t>(answers[i].steps);
-    }
-    for (std::size_t i = 0; i < cold.size(); ++i) {
-        counts.warm += !cold[i];
-        counts.unchanged += !cold[i] && answers[i].steps == 1;
-        counts.told += !cold[i] && answers[i].steps == 0 && answers[i].status != Status::failed;
-    }
-    for (const Distance& answer : answers) {
+        most = std::max(most, answer.steps);
+        counts.warm += warm;
+        if (warm) counts.warm_steps += static_cast<std::uint64_t>(answer.steps);
+        counts.unchanged += warm && answer.steps == 1;
+        counts.told += warm && answer.steps == 0 && answer.status != Status::failed;
         counts.steps += static_cast<std::uint64_t>(answer.steps);
         counts.fallbacks += static_cast<std::uint64_t>(answer.fallbacks);
         counts.refinements += static_cast<std::uint64_t>(answer.refinements);
@@ -196,13 +210,10 @@ void PreparedCell::check(SharedQueries& shared) {
         distances_.push_back(sum += answer.distance);
     }
     const auto stored = runner_->stored_bodies();
-    QueryOptions asked = options_.query;
-    if (type_->verdict_only) asked.cutoff = 0;
-    MarginOf margin;
-    if (has_margin(options_.needs))
-        margin = [&](const scene::Query& query) { return runner_->margin(query); };
-    checked_ =
-        check_answers(shared, stored, answers, type_->eps, asked, margin, options_.needs == Needs::within);
+    bench::RunnerOptions asked = options_;
+    if (type_->verdict_only) asked.query.cutoff = 0;
+    checked_ = check_answers(shared, stored, answers, type_->eps, asked,
+                             [&](const scene::Query& query) { return runner_->margin(query); });
     wrong_ = what_is_wrong(shared, checked_, type_->eps);
 }
 
@@ -248,8 +259,11 @@ nlohmann::json walk_json(const bench::Walk& walk) {
     return {{"query", walk.query}, {"tables", walk.tables}, {"steps", steps}};
 }
 
-}  // namespace
-
+/// {"queries": n, "vertices": [reads, ...], "edges": ..., "faces": ...}, in the body's order; null for a kind
+/// of feature that has no bytes of its own in the layout. "walk" is one query of the scene
+/// (bench/trace/walk.hpp):
+/// {"query": n, "tables": [lines, ...], "steps": [{"state", "a": [vertex, ...], "b": ..., "lines": [line,
+/// ...]}]}, or null.
 std::string heat_json(const bench::FeatureHeat& heat, const std::optional<bench::Walk>& walk) {
     const auto reads = [&](FeatureKind kind) {
         const auto& counts = heat.reads(kind);
@@ -263,10 +277,14 @@ std::string heat_json(const bench::FeatureHeat& heat, const std::optional<bench:
         .dump();
 }
 
+/// Returns true if a picture of the body can show the heat of this table type: it numbers features as the
+/// body does, it is the layout's type in double precision, and the body has few enough vertices.
 bool shows_heat(const bench::TableType& type, std::int64_t vertices) {
     constexpr std::int64_t most_vertices = 2000;
     return !type.is_peer && type.precision == "f64" && !type.input_order_bytes && vertices <= most_vertices;
 }
+
+}  // namespace
 
 CellRun::CellRun(const bench::TableType& type, const std::string& algorithm, const Axes& axes,
                  store::CellRow row, const Polyhedron& body)
@@ -277,9 +295,7 @@ CellRun::CellRun(const bench::TableType& type, const std::string& algorithm, con
       row_(std::move(row)) {
     row_.axes = axes.text();
     row_.algorithm = algorithm;
-    row_.layout = type.layout;
-    row_.precision = type.precision;
-    row_.table = type.name;
+    bench::describe_cell(row_, type, body);
     bench::name_cell(row_, body);
 }
 
@@ -290,14 +306,11 @@ void CellRun::make_unavailable(const std::string& reason) {
 
 void CellRun::verify(SharedQueries& shared) {
     const scene::Workload& workload = axes_.starts_cold ? shared.cold_workload() : shared.workload();
-    if (cell_.type().is_peer && has_margin(axes_.needs)) {
-        make_unavailable("other libraries are not asked about a margin");
-        return;
-    }
-    if (const std::string error = cell_.load(workload); !error.empty()) {
-        make_unavailable(error);
-        return;
-    }
+    if (cell_.type().is_peer && has_margin(axes_.needs))
+        return make_unavailable("other libraries are not asked about a margin");
+    if (cell_.type().verdict_only && axes_.rounds())
+        return make_unavailable("a library that gives no distances tells nothing of bodies with a radius");
+    if (const std::string error = cell_.load(workload); !error.empty()) return make_unavailable(error);
     shared_ = &shared;
     row_.queries = workload.queries.size();  // more than the plan's number if the scene needs more steps
     cell_.check(shared);

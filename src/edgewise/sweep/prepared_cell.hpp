@@ -61,12 +61,13 @@ class SharedQueries {
 using MarginOf = std::function<double(const scene::Query&)>;
 
 /// Returns the checked answers of one cell. `stored`: the bodies that its tables hold. `eps`: the rounding
-/// step of its arithmetic; it alone decides the allowed errors. `options`: the tolerances of the answers.
-/// With a margin the answers say whether bodies are nearer than the margin (bench::near_answer), and with
-/// `gives_distance` how near.
-[[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(
-    SharedQueries& shared, std::span<const Polyhedron> stored, std::span<const Distance> answers, double eps,
-    const QueryOptions& options = {}, const MarginOf& margin = {}, bool gives_distance = false);
+/// step of its arithmetic; it alone decides the allowed errors. `asked`: what the answers are to. `margin`:
+/// where needs have one, or the sum of the radii, if `asked` has one (Runner::margin).
+[[nodiscard]] std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared,
+                                                              std::span<const Polyhedron> stored,
+                                                              std::span<const Distance> answers, double eps,
+                                                              const bench::RunnerOptions& asked = {},
+                                                              const MarginOf& margin = {});
 
 /// Returns what is wrong, with the first case as an example; empty if every checked answer is right.
 [[nodiscard]] std::string what_is_wrong(const SharedQueries& shared,
@@ -129,17 +130,6 @@ void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(
 
 /// {"vertices": [x, y, z, ...], "edges": [tail, head, ...], "faces": [[vertex, ...], ...]}
 [[nodiscard]] std::string body_json(const Polyhedron& body);
-
-/// {"queries": n, "vertices": [reads, ...], "edges": ..., "faces": ...}, in the body's order; null for a kind
-/// of feature that has no bytes of its own in the layout. "walk" is one query of the scene
-/// (bench/trace/walk.hpp):
-/// {"query": n, "tables": [lines, ...], "steps": [{"state", "a": [vertex, ...], "b": ..., "lines": [line,
-/// ...]}]}, or null.
-[[nodiscard]] std::string heat_json(const bench::FeatureHeat& heat, const std::optional<bench::Walk>& walk);
-
-/// Returns true if a picture of the body can show the heat of this table type: it numbers features as the
-/// body does, it is the layout's type in double precision, and the body has few enough vertices.
-[[nodiscard]] bool shows_heat(const bench::TableType& type, std::int64_t vertices);
 
 class CellRun {
   public:

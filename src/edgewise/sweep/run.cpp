@@ -31,9 +31,8 @@ constexpr const char* drawn_shape = "cube8";
 /// The baseline need not be among the chosen cells; a program without its layout compares with the first it
 /// has.
 const bench::TableType& baseline_type() {
-    const auto types = bench::table_types();
-    const auto found = std::ranges::find(types, baseline_table, &bench::TableType::name);
-    return found != types.end() ? *found : types.front();
+    const bench::TableType* found = bench::find_table_type(baseline_table);
+    return found ? *found : bench::table_types().front();
 }
 
 std::string baseline_algorithm_on(const bench::TableType& type) {

@@ -16,18 +16,10 @@ namespace edgewise::sweep {
 
 namespace {
 
-using StoredFigures = std::span<const store::FigureRow>;
-
-std::optional<double> value_of(StoredFigures stored, const store::FigureName& name) {
-    const auto found = std::find_if(stored.begin(), stored.end(), [&](const store::FigureRow& row) {
-        return row.probe == name.probe() && row.name == name.name();
-    });
-    return found == stored.end() ? std::nullopt : found->value;
-}
-
 /// An earlier run may not have modelled these machines, or fewer queries.
-bool lacks_caches(const CellRun& cell, StoredFigures stored) {
-    return !cell.caches().machines.empty() && value_of(stored, "caches.identity") != cell.caches().identity();
+bool lacks_caches(const CellRun& cell, const store::StoredCell& stored) {
+    return !cell.caches().machines.empty() &&
+           stored.figure("caches.identity").value != cell.caches().identity();
 }
 
 }  // namespace
@@ -37,8 +29,8 @@ std::optional<store::CellStatus> StoredCells::status_of(const CellRun& cell) con
     if (!row) return std::nullopt;
     if (!row->is_timed()) return row->status;
     if (!rounds_missing(cell).empty()) return std::nullopt;
-    const std::vector<store::FigureRow> stored = store_.figures(build_, cell.row().hash);
-    if (lacks_checks(*row, stored) || (row->verified() && lacks_caches(cell, stored))) return std::nullopt;
+    const store::StoredCell stored{*row, store_.figures(build_, cell.row().hash)};
+    if (lacks_checks(stored) || (row->verified() && lacks_caches(cell, stored))) return std::nullopt;
     return row->status;
 }
 
@@ -124,11 +116,11 @@ void StoredCells::put_others(const store::CellRow& of, double share) {
         store_.set_meta(key, fmt::format("{:.4f}", share));
 }
 
-bool StoredCells::lacks_checks(const store::CellRow& row, StoredFigures stored) const {
+bool StoredCells::lacks_checks(const store::StoredCell& stored) const {
     const auto wanted =
-        static_cast<double>(std::min<std::uint64_t>(checked_, static_cast<std::uint64_t>(row.queries)));
-    const auto checked = value_of(stored, "error.checked");
-    return checked ? *checked < wanted : row.verified();
+        static_cast<double>(std::min<std::uint64_t>(checked_, static_cast<std::uint64_t>(stored.queries)));
+    const auto checked = stored.figure("error.checked").value;
+    return checked ? *checked < wanted : stored.verified();
 }
 
 }  // namespace edgewise::sweep

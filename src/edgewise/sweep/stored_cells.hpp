@@ -67,8 +67,7 @@ class StoredCells {
 
   private:
     /// Returns true if an earlier run checked fewer answers of the cell than this plan orders.
-    [[nodiscard]] bool lacks_checks(const store::CellRow& row,
-                                    std::span<const store::FigureRow> stored) const;
+    [[nodiscard]] bool lacks_checks(const store::StoredCell& stored) const;
 
     /// Times of a further process are not those of the sweep.
     [[nodiscard]] std::string name_of_time(const std::string& of) const {

@@ -283,14 +283,7 @@ SweepWork prepare_sweep(const Plan& plan, const std::function<void(const std::st
 
 namespace {
 
-bool is_path(const std::string& name) {
-    const auto texts = scene::scene_texts();
-    return scene::is_scene_file(name) &&
-           std::ranges::none_of(texts, [&](const scene::SceneText& text) { return text.name == name; });
-}
-
-}  // namespace
-
+/// Returns the name of a scene's files and charts: letters, digits, _ and -.
 std::string scene_id(std::string name) {
     for (char& c : name) {
         const auto byte = static_cast<unsigned char>(c);
@@ -299,6 +292,7 @@ std::string scene_id(std::string name) {
     return name;
 }
 
+/// Returns what has this name, if a user's scene file may not use it; otherwise empty.
 std::string owner_of_scene_name(const std::string& name) {
     const std::string id = scene_id(name);
     for (const scene::SceneInfo& kind : scene::list_scenes()) {
@@ -310,10 +304,15 @@ std::string owner_of_scene_name(const std::string& name) {
     return {};
 }
 
+}  // namespace
+
 void check_scene_names(const Plan& plan) {
+    const auto texts = scene::scene_texts();
     std::map<std::string, std::string> paths;  // by id
     for (const SceneChoice& scene : plan.scenes) {
-        if (!is_path(scene.name)) continue;
+        if (!scene::is_scene_file(scene.name) ||
+            std::ranges::find(texts, scene.name, &scene::SceneText::name) != texts.end())
+            continue;
         const std::string name = scene::scene_name_at(scene.name);
         if (const std::string owner = owner_of_scene_name(name); !owner.empty())
             throw std::invalid_argument(

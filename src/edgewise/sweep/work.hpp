@@ -81,12 +81,6 @@ struct SweepWork {
 /// name of a kind of scene or of a built-in scene file.
 void check_scene_names(const Plan& plan);
 
-/// Returns the name of a scene's files and charts: letters, digits, _ and -.
-[[nodiscard]] std::string scene_id(std::string name);
-
-/// Returns what has this name, if a user's scene file may not use it; otherwise empty.
-[[nodiscard]] std::string owner_of_scene_name(const std::string& name);
-
 /// Throws std::invalid_argument with both file names if the store has another scene with the name of one of
 /// the work's scene files.
 void check_scene_files(const SweepWork& work, const store::Store& store);

@@ -25,15 +25,6 @@ struct Mean {
     bool is_weighted = false;
 };
 
-/// Weights in units of the smallest power of two among them.
-void set_weights(Mean& mean, const std::vector<double>& weights) {
-    const long unit = least_exponent(weights);
-    for (const double w : weights) {
-        mean.weights.push_back(scaled(w, unit));
-        mean.total += mean.weights.back();
-    }
-}
-
 Mean mean_of(const WitnessClaim& witness, std::size_t vertex_count) {
     assert(witness.weights.empty() || witness.weights.size() == witness.vertices.size());
     Mean mean;
@@ -49,7 +40,12 @@ Mean mean_of(const WitnessClaim& witness, std::size_t vertex_count) {
         mean.vertices = {0};
         weights = {1};
     }
-    set_weights(mean, weights);
+    // In units of the smallest power of two among them.
+    const long unit = least_exponent(weights);
+    for (const double w : weights) {
+        mean.weights.push_back(scaled(w, unit));
+        mean.total += mean.weights.back();
+    }
     return mean;
 }
 
@@ -75,11 +71,6 @@ double gap_along(ExactPair& bodies, const IntegerVec& direction) {
     const mpz_class gap = std::max(bodies.lowest(direction).height, bodies.lowest(-direction).height);
     if (sgn(gap) <= 0) return 0;
     return root_rounded_down(gap * gap, dot(direction, direction), bodies.unit);
-}
-
-IntegerVec whole_direction(const Vec3d& direction) {
-    if (!direction.allFinite()) return {};
-    return scaled(direction, least_exponent(direction));
 }
 
 std::vector<Vec3d> chosen(std::span<const Vec3d> vertices, const Mean& mean) {
@@ -116,7 +107,7 @@ Result<Certificate> certify(std::span<const Vec3d> a, const Pose& pose_a, std::s
     const Mean mean_a = mean_of(on_a, a.size());
     const Mean mean_b = mean_of(on_b, b.size());
     Certificate result;
-    result.lower = gap_along(bodies, whole_direction(direction));
+    if (direction.allFinite()) result.lower = gap_along(bodies, scaled(direction, least_exponent(direction)));
     if (mean_a.is_weighted && mean_b.is_weighted) {
         result.upper = distance_of_means(bodies, mean_a, mean_b);
         return Result<Certificate>::success(result);

@@ -19,6 +19,10 @@ namespace edgewise::truth {
 
 namespace {
 
+void require(bool holds, const char* otherwise, const char* of = "depth") {
+    if (!holds) throw std::logic_error(std::string("exact ") + of + ": " + otherwise);
+}
+
 /// Returns true if the weights give total * (nearest point), where nearest point = (h / u.u) u.
 bool is_weighted_mean(const MinimumSimplex<IntegerVec>& s) {
     const std::array<mpz_class, 4> weights = simplex_weights(s);
@@ -60,26 +64,18 @@ std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s) {
 
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex) {
     for (int i = 0; i < simplex.size; ++i) {
-        if (!(simplex.point[i] == bodies.difference(simplex.pair[i]))) {
-            throw std::logic_error("exact distance: a simplex point is not the difference of its vertices");
-        }
+        require(simplex.point[i] == bodies.difference(simplex.pair[i]),
+                "a simplex point is not the difference of its vertices", "distance");
     }
-    if (!is_weighted_mean(simplex)) {
-        throw std::logic_error("exact distance: the nearest point is not in the hull of its simplex");
-    }
+    require(is_weighted_mean(simplex), "the nearest point is not in the hull of its simplex", "distance");
     if (simplex.holds_origin()) return;
-    if (bodies.lowest(simplex.direction).height < simplex.height) {
-        throw std::logic_error("exact distance: a vertex pair lies below the nearest point");
-    }
+    require(bodies.lowest(simplex.direction).height >= simplex.height,
+            "a vertex pair lies below the nearest point", "distance");
 }
 
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-void require(bool holds, const char* otherwise) {
-    if (!holds) throw std::logic_error(std::string("exact depth: ") + otherwise);
-}
 
 /// Checks every vertex of both bodies, without the filter that the search relies on.
 void require_supporting(ExactPair& bodies, const IntegerVec& normal, const mpz_class& height) {
@@ -221,9 +217,7 @@ Vec3d rounded_unit(const IntegerVec& normal) {
 
 /// Compares the depth with the verdict of exact_distance, which is found in another way.
 void require_agreement(bool is_deep, ExactVerdict verdict) {
-    if (is_deep != (verdict == ExactVerdict::overlapping)) {
-        throw std::logic_error("exact depth: the verdict says otherwise");
-    }
+    require(is_deep == (verdict == ExactVerdict::overlapping), "the verdict says otherwise");
 }
 
 ExactDepth measure(ExactPair& bodies, const SimplexSeed& simplex, ExactVerdict verdict) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 #include "edgewise/geometry/tolerance.hpp"
 
@@ -21,20 +22,11 @@ namespace edgewise::truth {
 namespace {
 
 /// Divides by 2^exponent in two steps: the power alone may not fit a double.
-class PowerOfTwo {
-  public:
-    explicit PowerOfTwo(int exponent)
-        : first_(std::ldexp(1.0, -exponent / 2)), second_(std::ldexp(1.0, -exponent - (-exponent / 2))) {}
-
-    template <class Array>
-    [[nodiscard]] Array divide(const Array& x) const {
-        return (x * first_) * second_;
-    }
-
-  private:
-    double first_;
-    double second_;
-};
+auto divider(int exponent) {
+    const double first = std::ldexp(1.0, -exponent / 2);
+    const double second = std::ldexp(1.0, -exponent - (-exponent / 2));
+    return [=](const auto& x) -> std::remove_cvref_t<decltype(x)> { return (x * first) * second; };
+}
 
 }  // namespace
 
@@ -52,11 +44,11 @@ SupportFilter::SupportFilter(std::span<const Vec3d> vertices, const Mat3d& rotat
     const int reach_exponent = reach > 0 ? std::ilogb(reach) : 0;
     const int gain_exponent = gain > 0 ? std::ilogb(gain) : 0;
     exponent_ = reach_exponent + gain_exponent;
-    const PowerOfTwo length(reach_exponent);
-    const Mat3d matrix = PowerOfTwo(gain_exponent).divide(rotation);
+    const auto divide = divider(reach_exponent);
+    const Mat3d matrix = divider(gain_exponent)(rotation);
     for (std::vector<double>* list : {&x_, &y_, &z_, &heights_}) list->resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d shape = multiply(matrix, length.divide(Vec3d(vertices[i] - vertices[0])));
+        const Vec3d shape = multiply(matrix, divide(Vec3d(vertices[i] - vertices[0])));
         x_[i] = shape.x();
         y_[i] = shape.y();
         z_[i] = shape.z();

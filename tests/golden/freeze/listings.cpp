@@ -96,8 +96,8 @@ std::string all_bytes() {
 void add_drawings(Texts& texts) {
     constexpr const char* shape = "tetra4";
     for (const std::string name : {"aos_f64", "lean_f32", "points_soa_f64"})
-        texts[fmt::format("{}_{}.svg", name, shape)] = bench::draw_layout(
-            *bench::select_table_types({&name, 1}).front(), shape, *scene::make_shape(shape));
+        texts[fmt::format("{}_{}.svg", name, shape)] =
+            bench::draw_layout(bench::table_type_called(name), shape, *scene::make_shape(shape));
 }
 
 void add_listings(Texts& texts) {

@@ -24,9 +24,9 @@ std::vector<Subject> subjects() {
     std::vector<Subject> all;
     for (const std::string name :
          {"aos_f64", "aos_f32", "aos_mixed", "lean_f64", "points_soa_f32", "quantised_f32"}) {
-        const bench::TableType* type = bench::select_table_types({&name, 1}).front();
-        for (const std::string& algorithm : type->algorithms)
-            all.push_back({*type, algorithm, type->make_runner(algorithm)});
+        const bench::TableType& type = bench::table_type_called(name);
+        for (const std::string& algorithm : type.algorithms)
+            all.push_back({type, algorithm, type.make_runner(algorithm)});
     }
     return all;
 }

@@ -19,11 +19,6 @@ namespace {
 
 constexpr SubDistanceSolver both_solvers[] = {SubDistanceSolver::cofactors, SubDistanceSolver::johnson};
 
-const bench::TableType& type_called(const std::string& name) {
-    const std::string names[] = {name};
-    return *bench::select_table_types(names).front();
-}
-
 struct Regimes {
     int separated = 0, touching = 0, overlapping = 0;
     int wrong = 0;
@@ -75,7 +70,7 @@ void ask_case(const bench::TableType& type, studies::StabilityCases& cases, std:
 }
 
 void ask_families(const char* table) {
-    const bench::TableType& type = type_called(table);
+    const bench::TableType& type = bench::table_type_called(table);
     const std::vector<Polyhedron> bodies = {*scene::make_shape("cube8"), *scene::make_shape("sphere38")};
     Regimes all;
     for (const scene::HardFamily& family : scene::hard_families()) {

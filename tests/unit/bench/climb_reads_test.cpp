@@ -116,9 +116,8 @@ void expect_few_reads(const TableType& type, const Polyhedron& body, double copi
 template <class Table>
 void expect_walks(const char* shape, double copies) {
     const std::string name = std::string(Table::name) + "_" + std::string(Table::PrecisionType::name);
-    const auto type = std::find_if(table_types().begin(), table_types().end(),
-                                   [&](const TableType& known) { return known.name == name; });
-    if (type == table_types().end()) GTEST_SKIP() << "this program has no " << name;
+    const TableType* type = find_table_type(name);
+    if (!type) GTEST_SKIP() << "this program has no " << name;
     const Polyhedron body = stored_body<Table>(scene::make_shape(shape).or_throw()).or_throw();
     EXPECT_TRUE(Table(body, Parts::support).climbable()) << name << " " << shape;
     expect_few_reads(*type, body, copies);

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/peers/peer_bench_for.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -124,6 +125,37 @@ TEST(PeerRunner, AsksForTheVerdictAloneWhereNoMoreIsNeeded) {
         static_cast<void>(runner.answer());
         EXPECT_EQ(verdicts_alone, needs == Needs::verdict ? 20 : 0);
     }
+}
+
+/// A library is asked for distances, also where the verdict alone is needed.
+TEST(PeerRunner, TakesRadiiOffTheDistancesOfCores) {
+    const scene::Workload workload = workload_of("cold", 100);
+    PeerRunner runner(own);
+    ASSERT_EQ(runner.load(workload), "");
+    const std::vector<Distance> cores = runner.answer();
+    verdicts_alone = 0;
+    const double radius = 0.1 * extent(workload.bodies[0].vertices);
+    for (const Needs needs : {Needs::verdict, Needs::distance}) {
+        RunnerOptions options{.radius = 0.1};
+        options.set_needs(needs);
+        runner.configure(options);
+        ASSERT_EQ(runner.load(workload), "");
+        EXPECT_EQ(runner.margin(workload.queries[0]), 2 * radius);
+        const std::vector<Distance> answers = runner.answer();
+        int separated = 0;
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const Distance expected = rounded(cores[i], radius, radius);
+            separated += expected.status == Status::separated;
+            EXPECT_EQ(answers[i].status == Status::separated, expected.status == Status::separated);
+            EXPECT_NEAR(answers[i].distance, expected.distance, 1e-14);
+            if (expected.status != Status::separated) continue;
+            EXPECT_LE(norm(Vec3d(answers[i].point_a - expected.point_a)), 1e-14);
+            EXPECT_LE(norm(Vec3d(answers[i].point_b - expected.point_b)), 1e-14);
+        }
+        EXPECT_GT(separated, 10);
+        EXPECT_LT(separated, 90);
+    }
+    EXPECT_EQ(verdicts_alone, 0);
 }
 
 TEST(PeerRunner, HoldsTheBodiesThatItsPrecisionStores) {

@@ -41,10 +41,7 @@ Placed place(const TableType& type, const std::string& algorithm, const TableOpt
 
 class Placement : public ::testing::TestWithParam<const char*> {
   protected:
-    [[nodiscard]] static const TableType& type() {
-        const std::string names[] = {GetParam()};
-        return *select_table_types(names).front();
-    }
+    [[nodiscard]] static const TableType& type() { return table_type_called(GetParam()); }
 };
 
 TEST_P(Placement, LeavesTheAnswersAsTheyAre) {
@@ -101,12 +98,6 @@ TEST(BuildTimes, AreAsManyAsAsked) {
     }
 }
 
-const TableType* type_called(const std::string& name) {
-    for (const TableType& type : table_types())
-        if (type.name == name) return &type;
-    return nullptr;
-}
-
 std::vector<Distance> answers(const TableType& type, const std::string& algorithm, VertexOrder order,
                               const scene::Workload& workload) {
     const auto runner = type.make_runner(algorithm);
@@ -135,7 +126,8 @@ struct Like {
 class RelativeOrder : public ::testing::TestWithParam<Like> {};
 
 TEST_P(RelativeOrder, AnswersAsThePlainTableInThatOrder) {
-    const TableType *relative = type_called(GetParam().relative), *plain = type_called(GetParam().plain);
+    const TableType *relative = find_table_type(GetParam().relative),
+                    *plain = find_table_type(GetParam().plain);
     if (!relative || !plain) GTEST_SKIP() << "this program has not both";
     for (const double random : {0, 1}) {
         for (const char* shape : {"cube8", "sphere386", "uv_sphere386", "sphere6146"}) {
@@ -155,7 +147,7 @@ TEST_P(RelativeOrder, AnswersAsThePlainTableInThatOrder) {
 }
 
 TEST_P(RelativeOrder, CountsWhatTheUsersIndicesTake) {
-    const TableType* relative = type_called(GetParam().relative);
+    const TableType* relative = find_table_type(GetParam().relative);
     if (!relative) GTEST_SKIP() << "this program has not this one";
     for (const char* shape : {"sphere38", "sphere386"}) {
         const Polyhedron body = relative->stored_body(scene::make_shape(shape).or_throw()).or_throw();
@@ -172,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Of, RelativeOrder,
                          [](const auto& of) { return std::string(of.param.relative); });
 
 TEST(RelativeOrder, NamesFeaturesByTheUsersIndices) {
-    const TableType* relative = type_called("lean_relative_f64");
+    const TableType* relative = find_table_type("lean_relative_f64");
     if (!relative) GTEST_SKIP() << "this program has not this one";
     // A corner of the cube to either side: the nearest are (1, 1, 1) of one and (-1, -1, -1) of the other.
     const Polyhedron cube = scene::make_shape("cube8").or_throw();

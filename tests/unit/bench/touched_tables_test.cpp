@@ -26,10 +26,6 @@ TableMap table_at(std::size_t offset) {
             2};
 }
 
-bool has_table(const std::string& name) {
-    return std::ranges::any_of(table_types(), [&](const TableType& type) { return type.name == name; });
-}
-
 TEST(TouchedTables, AreCountedByComponentAndFeature) {
     const std::vector<TableMap> maps = {table_at(0), table_at(1000)};
     measure::TouchedBytes touched;
@@ -79,7 +75,7 @@ TEST(TouchedTables, DoNotGuessWithinBlocks) {
 TEST(TouchedTables, SeeTheSameVerticesInEveryLayout) {
     std::vector<std::uint32_t> first;
     for (const char* table : {"aos_f64", "soa_f64", "hot_cold_f64", "aos_padded_f64"}) {
-        if (!has_table(table)) continue;  // this program has only some layouts
+        if (!find_table_type(table)) continue;  // this program has only some layouts
         const studies::SingleCell cell({table, "vclip", "tumble", "sphere386", {{"bodies", 4}}, 60, 1});
         measure::HeatMap heat(field_names().size(), step_names().size());
         static_cast<void>(cell.runner().trace(60, heat));
@@ -134,7 +130,7 @@ std::uint64_t sum_of(const std::optional<Reads>& reads) {
 TEST(FeatureHeat, IsTheReadsOfTheFieldsThatFeaturesHave) {
     std::uint64_t vertices = 0, edges = 0, faces = 0;
     for (const std::string table : {"aos_f64", "hot_cold_f64", "lean_f64"}) {
-        if (!has_table(table)) continue;  // this program has only some layouts
+        if (!find_table_type(table)) continue;  // this program has only some layouts
         for (const char* algorithm : {"vclip", "gjk"}) {
             const studies::SingleCell cell({table, algorithm, "tumble", "sphere386", {{"bodies", 4}}, 60, 1});
             FeatureHeat heat(cell.runner().memory_maps());

@@ -61,10 +61,6 @@ struct Watcher {
     static void ask_gjk() { FAIL() << "V-Clip walks to the end"; }
 };
 
-bool has_table(const std::string& name) {
-    return std::ranges::any_of(table_types(), [&](const TableType& type) { return type.name == name; });
-}
-
 std::optional<Walk> walk_in(const studies::SingleCell& cell, std::size_t within) {
     const std::vector<TableMap> maps = cell.runner().memory_maps();
     WalkTrace trace(cell.algorithm(), cell.runner().stored_bodies(), cell.workload(), within);
@@ -107,7 +103,8 @@ TEST(Walk, HasTheLinesOfTheTraceAndTheFeaturesOfTheAnswer) {
         for (const char* algorithm : {"vclip", "gjk"}) {
             std::optional<Walk> first;
             for (const std::string table : {"aos_f64", "lean_f64", "lean_seeds_f64", "points_soa_f64"}) {
-                if (!has_table(table) || (table == "points_soa_f64" && algorithm == std::string("vclip")))
+                if (!find_table_type(table) ||
+                    (table == "points_soa_f64" && algorithm == std::string("vclip")))
                     continue;
                 const std::string name = std::string(scene) + ", " + algorithm + ", " + table;
                 const studies::SingleCell cell(

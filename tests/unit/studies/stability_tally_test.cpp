@@ -85,8 +85,7 @@ TEST(StabilityTally, CountsCapHitsApartFromWrongDepths) {
 
 /// Concentric spheres are about equally deep all round: EPA wants more faces than its limit.
 TEST(StabilityTally, ARunnerSaysThatADepthWasCutShort) {
-    const auto type = bench::select_table_types(std::vector<std::string>{"aos_f64"}).front();
-    const auto runner = type->make_runner("gjk");
+    const auto runner = bench::table_type_called("aos_f64").make_runner("gjk");
     scene::Rng rng(1);
     for (const char* name : {"cube8", "sphere9602"}) {
         const Polyhedron body = *scene::make_shape(name);
@@ -104,9 +103,7 @@ TEST(StabilityTally, ARunnerSaysThatADepthWasCutShort) {
 // may differ: hardened V-Clip starts cold queries nearer, and after contact the two may be at different
 // features. Where hardened V-Clip asked GJK, raw V-Clip still ends; in hard families raw V-Clip is wrong.
 
-const bench::TableType& raw_table() {
-    return *bench::select_table_types(std::vector<std::string>{raw_type}).front();
-}
+const bench::TableType& raw_table() { return bench::table_type_called(raw_type); }
 
 std::vector<Distance> answers_of(const scene::Workload& workload, bool hardened) {
     const auto runner = raw_table().make_runner("vclip");
@@ -150,10 +147,10 @@ TEST(RawVClip, IsWrongOnHardFamiliesWhereTheHardenedOneIsRight) {
     const std::atomic<bool> go_on = false;
     const StabilitySummary summary = run_stability(
         plan,
-        [&](const StabilityRow& row) {
-            const bool raw = row.cell.axes == "hardening=off";
-            EXPECT_TRUE(raw || row.cell.status != store::CellStatus::judged);
-            judged += row.cell.status == store::CellStatus::judged;
+        [&](const store::StoredCell& row) {
+            const bool raw = row.axes == "hardening=off";
+            EXPECT_TRUE(raw || row.status != store::CellStatus::judged);
+            judged += row.status == store::CellStatus::judged;
             for (const store::FigureRow& figure : row.figures)
                 if (figure.name == "wrong_outside_band" || figure.name == "errors_beyond")
                     wrong[raw ? "raw" : "hardened"] += figure.value.value_or(0);

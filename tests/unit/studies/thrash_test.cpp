@@ -141,10 +141,6 @@ TEST(ThrashRealised, FaultsAsItsTraceSaysWithTheSameAnswers) {
 // The model's arithmetic: demands against an LRU memory that is simulated use by use, times against numbers
 // added by hand, and what each mechanism adds.
 
-const bench::TableType& table_type(const std::string& name) {
-    return *bench::select_table_types(std::vector<std::string>{name}).front();
-}
-
 /// Misses of one size, by a list that is searched; first uses count apart.
 class PlainLru final : public measure::TraceListener {
   public:
@@ -175,10 +171,10 @@ class PlainLru final : public measure::TraceListener {
 TEST(ThrashDemand, IsThatOfAMemorySimulatedUseByUse) {
     const scene::Workload workload = workload_of({"sphere38", 20, 0.3, 0.02, 12, 5});
     for (const char* algorithm : {"vclip", "gjk"}) {
-        const MemoryDemand demand = trace_demand(table_type("aos_f64"), algorithm, workload,
+        const MemoryDemand demand = trace_demand(bench::table_type_called("aos_f64"), algorithm, workload,
                                                  bench::Sharing::per_instance, {{64, 512}, {4, 40}}, 3);
         ASSERT_TRUE(demand.reason.empty()) << demand.reason;
-        const auto runner = table_type("aos_f64").make_runner(algorithm);
+        const auto runner = bench::table_type_called("aos_f64").make_runner(algorithm);
         runner->configure(
             {.tables = {VertexOrder::given, bench::Sharing::per_instance, bench::AllocatorKind::arena}});
         ASSERT_EQ(runner->load(workload), "");

@@ -54,6 +54,9 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
                              "needs=nearer+margin=0.1",
                              "needs=nearer+margin=0.02",
                              "needs=within+margin=0.1",
+                             "radius=0.01",
+                             "radius=recorded",
+                             "start=cold+needs=verdict+radius=2",
                              "start=cold+build=default",
                              "gap_tolerance=0.5+order=bfs+sharing=shared+allocator=libc"}) {
         EXPECT_EQ(parse_axes(text).text(), text);
@@ -88,6 +91,9 @@ TEST(Axes, ConcernOnlyWhatTheyChange) {
     EXPECT_EQ(parse_axes("hardening=on").text(), "");
     EXPECT_THROW(static_cast<void>(parse_axes("hardening=maybe")), std::invalid_argument);
     EXPECT_TRUE(parse_axes("allocator=libc").concerns("gjk"));
+    EXPECT_TRUE(parse_axes("radius=1").concerns("vclip"));
+    EXPECT_TRUE(parse_axes("radius=recorded").concerns("gjk"));
+    EXPECT_EQ(parse_axes("radius=0").text(), "");
 }
 
 TEST(Axes, BadOnesAreOneClearLine) {
@@ -110,6 +116,12 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("needs=nearer+margin=0").find("above 0"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+margin=x").find("wants a number"), std::string::npos);
     EXPECT_NE(error_of("needs=nearer+contact_tolerance=1").find("leave contact_tolerance out"),
+              std::string::npos);
+    EXPECT_NE(error_of("radius=-1").find("wants a number"), std::string::npos);
+    EXPECT_NE(error_of("radius=recorded+needs=within").find("needs=verdict, distance"), std::string::npos);
+    EXPECT_NE(error_of("radius=1+needs=depth").find("needs=verdict, distance"), std::string::npos);
+    EXPECT_NE(error_of("radius=1+batch=yes").find("leave batch out"), std::string::npos);
+    EXPECT_NE(error_of("radius=1+contact_tolerance=1").find("leave contact_tolerance out"),
               std::string::npos);
     EXPECT_NE(error_of("speed=3").find("unknown; known: "), std::string::npos);
 }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/scene/shapes.hpp"
 #include "edgewise/truth/exact_distance.hpp"
@@ -60,7 +61,8 @@ class Verify : public ::testing::Test {
 
     [[nodiscard]] std::string wrong(double epsilon = eps, const QueryOptions& options = {}) {
         return what_is_wrong(
-            shared_, check_answers(shared_, shared_.workload().bodies, answers_, epsilon, options), epsilon);
+            shared_, check_answers(shared_, shared_.workload().bodies, answers_, epsilon, {.query = options}),
+            epsilon);
     }
 
     SharedQueries shared_;
@@ -158,7 +160,8 @@ TEST_F(Verify, NearnessIsJudgedByItsMargin) {
     const double distance = answers_[i].distance;
     const auto wrong_for = [&](double margin, const QueryOptions& options = {}) {
         return what_is_wrong(shared_,
-                             check_answers(shared_, shared_.workload().bodies, answers_, eps, options,
+                             check_answers(shared_, shared_.workload().bodies, answers_, eps,
+                                           {.query = options, .needs = Needs::nearer},
                                            [&](const scene::Query&) { return margin; }),
                              eps);
     };
@@ -186,6 +189,42 @@ TEST_F(Verify, NearnessIsJudgedByItsMargin) {
     EXPECT_EQ(wrong_for(distance * 1.001, {0, 0.002}), "") << "a gap tolerance makes distances longer";
 }
 
+/// Rounded bodies are as far apart as their cores, less the radii; nearer ones overlap.
+TEST_F(Verify, RoundedBodiesAreJudgedByTheirCores) {
+    const std::size_t i = first(Status::separated);
+    const std::vector<Distance> cores = answers_;
+    for (const double radii : {0.5 * cores[i].distance, 2 * cores[i].distance}) {
+        for (Distance& answer : answers_) {
+            if (answer.status == Status::separated) answer.normal = -answer.point_a / answer.distance;
+            answer = rounded(answer, 0.25 * radii, 0.75 * radii);
+        }
+        const auto check_with = [&](const bench::RunnerOptions& options) {
+            return check_answers(shared_, shared_.workload().bodies, answers_, eps, options,
+                                 [&](const scene::Query&) { return radii; });
+        };
+        const auto wrong_with = [&](const bench::RunnerOptions& options) {
+            return what_is_wrong(shared_, check_with(options), eps);
+        };
+        const bench::RunnerOptions distance{.radius = 1}, verdict{.query = {.cutoff = 0}, .radius = 1};
+        EXPECT_EQ(wrong_with(distance), "");
+        EXPECT_EQ(wrong_with(verdict), "");
+        for (const truth::CheckedAnswer& checked : check_with(distance))
+            EXPECT_EQ(checked.exact == truth::ExactVerdict::separated, checked.has_distance);
+        Status& status = answers_[i].status;
+        if (status == Status::separated) {
+            answers_[i].distance += 1e-9;
+            EXPECT_THAT(wrong_with(distance), HasSubstr("wrong distance"));
+            EXPECT_EQ(wrong_with(verdict), "") << "it has no distance";
+        }
+        status = status == Status::separated ? Status::overlapping : Status::separated;
+        EXPECT_THAT(wrong_with(distance), HasSubstr("1 of 60 checked answers are wrong"));
+        EXPECT_THAT(wrong_with(verdict), HasSubstr("wrong verdict"));
+        status = Status::failed;
+        EXPECT_THAT(wrong_with(verdict), HasSubstr("wrong verdict"));
+        answers_ = cores;
+    }
+}
+
 /// A relative width of the answer itself: of the true distance it is a little more.
 TEST_F(Verify, AGapToleranceIsAPartOfTheAnswer) {
     const QueryOptions options{.gap_tolerance = 0.01};
@@ -195,8 +234,9 @@ TEST_F(Verify, AGapToleranceIsAPartOfTheAnswer) {
             answers_[i].distance = exact[i].distance * factor;
             answers_[i].point_a = exact[i].point_a * factor;
         }
-        return what_is_wrong(shared_,
-                             check_answers(shared_, shared_.workload().bodies, answers_, eps, options), eps);
+        return what_is_wrong(
+            shared_, check_answers(shared_, shared_.workload().bodies, answers_, eps, {.query = options}),
+            eps);
     };
     EXPECT_EQ(wrong_when_longer(1.01 + 5e-5), "");
     EXPECT_EQ(wrong_when_longer(1 / 0.99 - 1e-9), "");

@@ -31,11 +31,12 @@ template <class Table>
 /// A warm run that takes more steps than this started far off, over tables with seeds and of bodies that are
 /// scanned: the pair's next query looks for a nearer start first, and goes on doing so until there is none.
 /// If both bodies have more vertices than most_walked, the run itself looks for one, too. Time of aos_f64
-/// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 1.00 /
-/// 0.88 / 0.60, spheres of 38 vertices 1.06 / 0.61 / 0.65, a mesh of 44 vertices 1.07 / 0.92 / 0.78. On its
-/// way alone, after three steps, boxes took 1.01 / 1.21 / 0.88. Without seeds a climb from far off costs too
-/// much of the gain: aos_f64 at 386 vertices and 0.1 rad took 1.14.
-inline constexpr int steps_before_search = 4;
+/// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 0.98 /
+/// 1.03 / 0.61, spheres of 38 vertices 0.95 / 0.60 / 0.66, a mesh of 44 vertices 0.97 / 0.95 / 0.81; after
+/// four steps boxes 1.05 / 0.98 / 0.60, spheres 1.05 / 0.62 / 0.66. On its way alone boxes took 1.01 / 1.21 /
+/// 0.88. Without seeds a climb from far off costs too much of the gain: aos_f64 at 386 vertices and 0.1 rad
+/// took 1.14.
+inline constexpr int steps_before_search = 5;
 inline constexpr std::size_t most_walked = 16;
 
 template <class TableA, class TableB>

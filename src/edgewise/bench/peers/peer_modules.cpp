@@ -209,8 +209,14 @@ void PeerRunner::build_tables(const std::vector<const Polyhedron*>& bodies) {
 }
 
 peers::PeerQuery PeerRunner::query_of(const scene::Query& query) const {
-    return {static_cast<std::uint32_t>(table_a(query)), static_cast<std::uint32_t>(table_b(query)),
-            query.pair, query.pose_a, query.pose_b};
+    peers::PeerQuery result = {static_cast<std::uint32_t>(table_a(query)),
+                               static_cast<std::uint32_t>(table_b(query)), query.pair, query.pose_a,
+                               query.pose_b};
+    if (!radii().empty()) {
+        result.radius_a = radii()[query.instance_a];
+        result.radius_b = radii()[query.instance_b];
+    }
+    return result;
 }
 
 }  // namespace edgewise::bench

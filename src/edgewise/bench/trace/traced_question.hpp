@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "edgewise/algorithms/near_pair.hpp"
 #include "edgewise/algorithms/query_options.hpp"
+#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/bench/near_question.hpp"
 #include "edgewise/bench/trace/trace_names.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
@@ -65,7 +67,8 @@ struct PairTouch {
 
 struct TracedQuestion {
     const QueryOptions& options;
-    const NearMargins* near = nullptr;  ///< null: no margin is asked about
+    const NearMargins* near = nullptr;   ///< null: no margin is asked about
+    std::span<const double> radii = {};  ///< of the instances; empty: none has one
 
     /// A pair's cache is read first and written last, completely unless its bounds decide.
     template <class Traced>
@@ -92,7 +95,12 @@ struct TracedQuestion {
                                       const Transform<double>& a_from_b, const StepMarks& marks,
                                       bool warm) const {
         using Algorithm = typename Traced::AlgorithmType;
+        using Table = decltype(traced.a);
         auto& [a, b, cache] = traced;
+        if (!radii.empty())
+            return query_rounded<Algorithm>(Rounded<Table>{a, radii[query.instance_a]},
+                                            Rounded<Table>{b, radii[query.instance_b]}, a_from_b, cache.pair,
+                                            options, marks);
         if (!near) return Algorithm::query(a, b, a_from_b, cache.pair, options, marks);
         return ask_tables_near<Algorithm>(a, b, a_from_b, cache, warm, *near, query, options, marks);
     }

@@ -55,11 +55,6 @@ std::vector<ScreenedCell> cells_to_race(const Screen& screen) {
     return raced;
 }
 
-std::size_t count_dropped(const Screen& screen) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(screen.cells, [](const ScreenedCell& cell) { return !cell.is_in(); }));
-}
-
 /// Runs the steps of an advice within a time limit and calls `say` with a line after each step. A step that
 /// would take longer than the time left is skipped, and the advice names it.
 class Measuring {
@@ -86,7 +81,7 @@ class Measuring {
         TimeLimit limit = until(advice_.machines.empty() ? until_screened : until_screened_for_machines);
         advice_.screen = screen(advice_.asked, {}, [&] { return stop_on_signals() || !limit.begin_piece(); });
         say_(fmt::format("looked at {} cells, {} dropped ({:.1f} s)", advice_.screen.cells.size(),
-                         count_dropped(advice_.screen), elapsed()));
+                         std::ranges::count(advice_.screen.cells, false, &ScreenedCell::is_in), elapsed()));
         looked_seconds_ = elapsed();
         if (advice_.screen.left_out > 0)
             advice_.left_out.push_back(
@@ -138,18 +133,11 @@ class Measuring {
         const char* const name = other.own_tables ? "a table each" : "one table for all";
         TimeLimit limit = until(1);
         const std::string no_time = fmt::format("{}: no time was left for all of it (--time)", name);
-        if (limit.left() < looked_seconds_ / 2) {
-            advice_.left_out.push_back(no_time);
-            return;
-        }
+        if (limit.left() < looked_seconds_ / 2) return advice_.left_out.push_back(no_time);
         const Screen screen = studies::advise::screen(other, {.queries = 1000, .checked = 20, .passes = 3},
                                                       [&] { return !limit.begin_piece(); });
-        if (screen.left_out > 0) {
-            advice_.left_out.push_back(no_time);
-            return;
-        }
-        std::ranges::copy_if(screen.cells, std::back_inserter(advice_.other_tables),
-                             [](const ScreenedCell& cell) { return cell.is_in(); });
+        if (screen.left_out > 0) return advice_.left_out.push_back(no_time);
+        std::ranges::copy_if(screen.cells, std::back_inserter(advice_.other_tables), &ScreenedCell::is_in);
         say_(fmt::format("looked at the case with {} ({:.1f} s)", name, elapsed()));
     }
 

@@ -27,7 +27,13 @@ Polyhedron point_body(const Vec3d& point, Index name) {
     return body;
 }
 
-Polyhedron segment_body(std::span<const Vec3d> points, Index tail, Index head) {
+/// Segment between the two extreme points, in the order of the input.
+Polyhedron segment_of(std::span<const Vec3d> points, std::span<const Index> distinct) {
+    const std::vector<Vec3d> along = in_own_axes(points, distinct);
+    const auto [low, high] = std::minmax_element(
+        along.begin(), along.end(), [](const Vec3d& p, const Vec3d& q) { return p.x() < q.x(); });
+    const auto number = [&](auto at) { return distinct[static_cast<std::size_t>(at - along.begin())]; };
+    const auto [tail, head] = std::minmax({number(low), number(high)});
     Polyhedron body;
     body.vertices = {points[tail], points[head]};
     body.input_index = {tail, head};
@@ -36,16 +42,6 @@ Polyhedron segment_body(std::span<const Vec3d> points, Index tail, Index head) {
     body.vertex_offset = {0, 1, 2};
     body.vertex_ring = {0, 1};
     return body;
-}
-
-/// Segment between the two extreme points, in the order of the input.
-Polyhedron segment_of(std::span<const Vec3d> points, std::span<const Index> distinct) {
-    const std::vector<Vec3d> along = in_own_axes(points, distinct);
-    const auto [low, high] = std::minmax_element(
-        along.begin(), along.end(), [](const Vec3d& p, const Vec3d& q) { return p.x() < q.x(); });
-    const Index first = distinct[static_cast<std::size_t>(low - along.begin())];
-    const Index last = distinct[static_cast<std::size_t>(high - along.begin())];
-    return segment_body(points, std::min(first, last), std::max(first, last));
 }
 
 /// Returns true if p, q, r turn left; reads only x and y.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/hull/extreme_frame.hpp"
@@ -17,19 +18,12 @@
 namespace edgewise {
 namespace {
 
-bool lexicographic_less(const Vec3d& a, const Vec3d& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
 /// Returns all indices, equal points next to each other with the lowest index first.
 std::vector<Index> sorted_indices(std::span<const Vec3d> points) {
     std::vector<Index> order(points.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-        if (lexicographic_less(points[i], points[j])) return true;
-        if (lexicographic_less(points[j], points[i])) return false;
-        return i < j;
-    });
+    std::ranges::sort(order, {},
+                      [&](Index i) { return std::tuple(points[i].x(), points[i].y(), points[i].z(), i); });
     return order;
 }
 

@@ -45,23 +45,15 @@ class ErrorStream {
     FILE* file_;
 };
 
-/// Owns Qhull's state and frees it in its destructor.
-class Qhull {
-  public:
-    Qhull() : state_(std::make_unique<qhT>()) { qh_zero(state_.get(), stderr); }
-    ~Qhull() {
-        qh_freeqhull(state_.get(), !qh_ALL);
+/// Frees Qhull's state.
+struct FreeQhull {
+    void operator()(qhT* state) const {
+        qh_freeqhull(state, !qh_ALL);
         int current = 0;
         int total = 0;
-        qh_memfreeshort(state_.get(), &current, &total);
+        qh_memfreeshort(state, &current, &total);
+        delete state;
     }
-    Qhull(const Qhull&) = delete;
-    Qhull& operator=(const Qhull&) = delete;
-
-    [[nodiscard]] qhT* state() { return state_.get(); }
-
-  private:
-    std::unique_ptr<qhT> state_;
 };
 
 using Arc = std::pair<Index, Index>;
@@ -112,8 +104,9 @@ QhullFacets qhull_facets(std::span<const Vec3d> points) {
     coordinates.reserve(3 * points.size());
     for (const Vec3d& p : points) coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
     ErrorStream errors;
-    Qhull qhull;
-    qhT* qh = qhull.state();
+    const std::unique_ptr<qhT, FreeQhull> state(new qhT());
+    qhT* qh = state.get();
+    qh_zero(qh, stderr);
     char command[] = "qhull Qs Q12 Pp";
     const int failed = qh_new_qhull(qh, 3, static_cast<int>(points.size()), coordinates.data(), False,
                                     command, nullptr, errors.file());

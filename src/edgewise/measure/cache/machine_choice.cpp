@@ -21,22 +21,16 @@ constexpr std::uint64_t usual_first_level = 32 * 1024;
 constexpr const char* usual =
     "a size that was asked for; ways, replacement and inclusion are what is usual, latencies are not known";
 
-std::uint32_t usual_ways(int level) { return level < 3 ? 8 : 16; }
-
 /// 2 of "l2=256K".
 int level_of(std::string_view name) { return name[1] - '0'; }
 
 /// Sizes need not be powers of two, but whole sets: of the usual ways, or the next fewer that divide them.
-LevelGeometry level_geometry(int level, std::uint64_t bytes) {
-    const std::uint64_t lines = bytes / line_bytes;
-    std::uint32_t ways = usual_ways(level);
-    while (lines % ways != 0) --ways;
-    return {fmt::format("L{}{}", level, level == 1 ? "D" : ""), static_cast<std::uint32_t>(lines / ways),
-            ways};
-}
-
 void add_level(int level, std::uint64_t bytes, CacheMachine& machine) {
-    machine.caches.levels.push_back(level_geometry(level, bytes));
+    const std::uint64_t lines = bytes / line_bytes;
+    std::uint32_t ways = level < 3 ? 8 : 16;
+    while (lines % ways != 0) --ways;
+    machine.caches.levels.push_back(
+        {fmt::format("L{}{}", level, level == 1 ? "D" : ""), static_cast<std::uint32_t>(lines / ways), ways});
     machine.origins.push_back({0, usual, {"ways", "inclusion", "replacement"}});
 }
 

@@ -16,27 +16,20 @@ constexpr std::uint32_t line_unit = 64, page_unit = 4096;
 /// Reuse distances of one unit, and what queries and frames touch.
 struct SceneCaches::Stack {
     /// How many distinct units each stretch of a trace touches, summed.
-    class DistinctUnits {
-      public:
-        void touch(std::uint64_t unit, std::optional<QueryStart> start) {
-            if (unit >= last_.size()) last_.resize(std::max(unit + 1, 2 * last_.size()), 0);
-            if (last_[unit] != stretch_) sum_.add(start, 1);
-            last_[unit] = stretch_;
-        }
-        void end_stretch() { ++stretch_; }
-        void forget_sum() { sum_ = {}; }
+    struct DistinctUnits {
+        std::vector<std::uint32_t> last;  ///< stretch that touched it last; 0: none
+        std::uint32_t stretch = 1;
+        ByStart<std::uint64_t> sum;
 
-        [[nodiscard]] const ByStart<std::uint64_t>& sum() const { return sum_; }
+        void touch(std::uint64_t unit, std::optional<QueryStart> start) {
+            if (unit >= last.size()) last.resize(std::max(unit + 1, 2 * last.size()), 0);
+            if (last[unit] != stretch) sum.add(start, 1);
+            last[unit] = stretch;
+        }
         /// Units that were ever touched.
         [[nodiscard]] std::uint64_t ever() const {
-            return last_.size() -
-                   static_cast<std::uint64_t>(std::count(last_.begin(), last_.end(), std::uint32_t{0}));
+            return last.size() - static_cast<std::uint64_t>(std::ranges::count(last, std::uint32_t{0}));
         }
-
-      private:
-        std::vector<std::uint32_t> last_;  ///< stretch that touched it last; 0: none
-        std::uint32_t stretch_ = 1;
-        ByStart<std::uint64_t> sum_;
     };
 
     ReuseDistance reuse;            ///< its curve is of all accesses
@@ -53,15 +46,10 @@ struct SceneCaches::Stack {
         distance == ReuseDistance::never ? own.add_first() : own.add(distance);
         return distance;
     }
-    [[nodiscard]] ByStart<MissCurve> curves() const {
-        return {reuse.curve(), own_curves.cold, own_curves.warm};
-    }
     void start_steady() {
         reuse.forget_curve();
         own_curves = {};
-        of_queries.forget_sum();
-        with_scene.forget_sum();
-        of_frames.forget_sum();
+        of_queries.sum = with_scene.sum = of_frames.sum = {};
     }
 };
 
@@ -211,14 +199,14 @@ void SceneCaches::on_query_end(bool /*counts*/) {
     queries_.add(start_, 1);
     start_.reset();
     for (auto& [unit, stack] : stacks_) {
-        stack.of_queries.end_stretch();
-        stack.with_scene.end_stretch();
+        ++stack.of_queries.stretch;
+        ++stack.with_scene.stretch;
     }
 }
 
 void SceneCaches::on_frame_end() {
     ++frames_;
-    for (auto& [unit, stack] : stacks_) stack.of_frames.end_stretch();
+    for (auto& [unit, stack] : stacks_) ++stack.of_frames.stretch;
 }
 
 void SceneCaches::start_steady() {
@@ -240,10 +228,10 @@ ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
     return {unit,
             stack.reuse.lines(),
             stack.of_queries.ever(),
-            stack.of_queries.sum(),
-            stack.with_scene.sum(),
-            stack.of_frames.sum().all,
-            stack.curves()};
+            stack.of_queries.sum,
+            stack.with_scene.sum,
+            stack.of_frames.sum.all,
+            {stack.reuse.curve(), stack.own_curves.cold, stack.own_curves.warm}};
 }
 
 ReuseOf SceneCaches::lines() const { return reuse_of(line_unit); }

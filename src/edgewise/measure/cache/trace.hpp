@@ -49,7 +49,7 @@ class TraceListener {
     virtual void on_step_start(std::uint8_t /*step*/) {}
     virtual void on_access(const TracedAccess& access) = 0;
     /// Called after each query; `counts` is false for the cold first query of a pair in a warm scene.
-    virtual void on_query_end(bool counts) = 0;
+    virtual void on_query_end(bool /*counts*/) {}
     /// Called after the last query of a frame; never called in scenes without frames.
     virtual void on_frame_end() {}
 };

@@ -31,17 +31,6 @@ double modelled_misses(const CacheMachine& machine, std::size_t level, std::uint
     return static_cast<double>(model.counts(level).misses) / static_cast<double>(loads);
 }
 
-void count(RandomChase& chase, std::uint64_t loads, const Cpu& cpu, CalibrationRow& row) {
-    const CountedPass counted = count_pass([&] { chase.run(loads); }, loads, cpu);
-    const auto found = std::ranges::find(counted.records, row.event, &PassRecord::event);
-    if (found == counted.records.end()) {
-        row.reason = "no such event is known";
-        return;
-    }
-    row.counted = found->value;
-    row.reason = found->refusal.reason;
-}
-
 CalibrationRow calibrate(const CacheMachine& machine, std::size_t level, double times,
                          const CalibrationOptions& options, const Cpu& cpu) {
     CalibrationRow row;
@@ -55,7 +44,11 @@ CalibrationRow calibrate(const CacheMachine& machine, std::size_t level, double 
     const Stopwatch watch;
     chase.run(options.loads);
     row.ns = watch.elapsed_ns() / static_cast<double>(options.loads);
-    count(chase, options.loads, cpu, row);
+    const CountedPass counted = count_pass([&] { chase.run(options.loads); }, options.loads, cpu);
+    const auto found = std::ranges::find(counted.records, row.event, &PassRecord::event);
+    const bool is_known = found != counted.records.end();
+    if (is_known) row.counted = found->value;
+    row.reason = is_known ? found->refusal.reason : "no such event is known";
     return row;
 }
 

@@ -81,28 +81,15 @@ std::string why_dropped(const Sorted& sorted, std::size_t total) {
 }  // namespace
 
 CounterGroup::CounterGroup(std::span<const EventCode> events) {
-    if (events.empty() || events.size() > largest_group) {
-        error_ = EINVAL;
-    } else if (!open_all(events)) {
-        close_all();
-    }
-}
-
-bool CounterGroup::open_all(std::span<const EventCode> events) {
-    for (const EventCode& event : events) {
-        const int descriptor = open_event(event, descriptors_[0]);  // -1 until there is a leader
-        if (descriptor < 0) {
-            error_ = -descriptor;
-            return false;
-        }
-        descriptors_[size_] = descriptor;
-        if (ioctl(descriptor, PERF_EVENT_IOC_ID, &ids_[size_]) != 0) {
+    if (events.empty() || events.size() > largest_group) error_ = EINVAL;
+    for (; error_ == 0 && size_ < events.size(); ++size_) {
+        descriptors_[size_] = open_event(events[size_], descriptors_[0]);  // -1 until there is a leader
+        if (descriptors_[size_] < 0)
+            error_ = -descriptors_[size_];
+        else if (ioctl(descriptors_[size_], PERF_EVENT_IOC_ID, &ids_[size_]) != 0)
             error_ = errno;
-            return false;
-        }
-        ++size_;
     }
-    return true;
+    if (error_ != 0) close_all();
 }
 
 void CounterGroup::close_all() {

@@ -47,7 +47,6 @@ class CounterGroup {
     [[nodiscard]] Expected<GroupCount> stop();
 
   private:
-    bool open_all(std::span<const EventCode> events);
     void close_all();
 
     std::array<int, largest_group> descriptors_{-1, -1, -1, -1};

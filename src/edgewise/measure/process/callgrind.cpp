@@ -32,23 +32,16 @@ std::string lacking(const std::vector<std::string>& events, std::initializer_lis
     return {};
 }
 
-/// Numbers of names: "(3) name" the first time, "(3)" from then on; a name without a number is its own.
-class Names {
-  public:
-    explicit Names(std::vector<std::string>& names) : names_(names) {}
+using Numbers = std::map<std::string, std::size_t>;
 
-    std::size_t number_of(const std::string& text) {
-        const std::size_t end = text.empty() || text[0] != '(' ? std::string::npos : text.find(')');
-        const std::string key = end == std::string::npos ? text : text.substr(0, end + 1);
-        const auto [found, is_new] = numbers_.try_emplace(key, names_.size());
-        if (is_new) names_.push_back(key == text ? text : text.substr(std::min(end + 2, text.size())));
-        return found->second;
-    }
-
-  private:
-    std::vector<std::string>& names_;
-    std::map<std::string, std::size_t> numbers_;
-};
+/// Number of a name: "(3) name" the first time, "(3)" from then on; a name without a number is its own.
+std::size_t number_of(const std::string& text, Numbers& numbers, std::vector<std::string>& names) {
+    const std::size_t end = text.empty() || text[0] != '(' ? std::string::npos : text.find(')');
+    const std::string key = end == std::string::npos ? text : text.substr(0, end + 1);
+    const auto [found, is_new] = numbers.try_emplace(key, names.size());
+    if (is_new) names.push_back(key == text ? text : text.substr(std::min(end + 2, text.size())));
+    return found->second;
+}
 
 /// An address: "0x1f", or "+3", "-3", "*" from the one before; nothing if it is none.
 std::optional<std::uint64_t> address_of(const std::string& word, std::uint64_t before) {
@@ -63,7 +56,7 @@ std::optional<std::uint64_t> address_of(const std::string& word, std::uint64_t b
 
 class Reader {
   public:
-    explicit Reader(CallgrindLines& into) : into_(into), functions_(into.functions), objects_(into.objects) {}
+    explicit Reader(CallgrindLines& into) : into_(into) {}
 
     /// False if the line makes no sense.
     [[nodiscard]] bool take(const std::string& line) {
@@ -109,10 +102,10 @@ class Reader {
     }
 
     void take_name(const std::string& key, const std::string& value) {
-        if (key == "ob") object_ = objects_.number_of(value);
-        if (key == "fn") function_ = functions_.number_of(value);
-        if (key == "cob") static_cast<void>(objects_.number_of(value));  // it may be named here first
-        if (key == "cfn") callee_ = functions_.number_of(value);
+        if (key == "ob") object_ = number_of(value, objects_, into_.objects);
+        if (key == "fn") function_ = number_of(value, functions_, into_.functions);
+        if (key == "cob") number_of(value, objects_, into_.objects);  // it may be named here first
+        if (key == "cfn") callee_ = number_of(value, functions_, into_.functions);
         if (key == "calls") is_call_ = true;
     }
 
@@ -134,7 +127,7 @@ class Reader {
     }
 
     CallgrindLines& into_;
-    Names functions_, objects_;
+    Numbers functions_, objects_;
     std::vector<std::string> events_;
     std::uint64_t address_ = 0;
     std::size_t function_ = 0, object_ = 0, callee_ = 0;

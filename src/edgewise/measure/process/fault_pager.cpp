@@ -49,14 +49,6 @@ void wait(double ns) {
     _exit(70);
 }
 
-void map_page(Pager& pager, std::size_t page) {
-    uffdio_continue order{};
-    order.range.start = reinterpret_cast<std::uintptr_t>(pager.base) + page * pager.page;
-    order.range.len = pager.page;
-    if (ioctl(pager.file, UFFDIO_CONTINUE, &order) != 0 && errno != EEXIST)
-        give_up("edgewise: a page could not be mapped again\n");
-}
-
 /// Calls nothing that a handler may not: system calls, and arithmetic on memory taken before.
 void on_fault(int /*signal*/, siginfo_t* info, void* /*context*/) {
     const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
@@ -73,7 +65,11 @@ void on_fault(int /*signal*/, siginfo_t* info, void* /*context*/) {
     } else {
         ++living->counts.soft;
     }
-    map_page(*living, page);
+    uffdio_continue order{};
+    order.range.start = base + page * living->page;
+    order.range.len = living->page;
+    if (ioctl(living->file, UFFDIO_CONTINUE, &order) != 0 && errno != EEXIST)
+        give_up("edgewise: a page could not be mapped again\n");
     errno = kept;
 }
 

@@ -31,12 +31,6 @@ Json row_json(const RecordRow& row) {
     return {row.low, row.value, row.high};
 }
 
-Json conditions_json(const Conditions& conditions) {
-    Json json = Json::object();
-    for (const auto& [name, value] : conditions) json[name] = value;
-    return json;
-}
-
 /// What is wrong with a record, without the file's name.
 struct RecordFault {
     std::string text;
@@ -164,8 +158,8 @@ std::optional<double> FigureRecord::bound_of(const std::string& figure,
 
 std::string to_json(const FigureRecord& record) {
     Json json = {{"edgewise_record", record.kind}};
-    if (!record.of.empty()) json["of"] = conditions_json(record.of);
-    if (!record.with.empty()) json["with"] = conditions_json(record.with);
+    for (const auto& [name, value] : record.of) json["of"][name] = value;
+    for (const auto& [name, value] : record.with) json["with"][name] = value;
     if (record.slack) json["slack"] = number_json(*record.slack);
     for (const Limit& limit : record.limits) {
         if (limit.soft) json["limits"][limit.figures]["soft"] = number_json(*limit.soft);

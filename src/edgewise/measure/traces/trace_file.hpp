@@ -67,7 +67,6 @@ class DinWriter final : public TraceListener {
     /// The stream must outlive this.
     explicit DinWriter(std::ostream& stream) : stream_(&stream) {}
     void on_access(const TracedAccess& access) override;
-    void on_query_end(bool /*counts*/) override {}
 
   private:
     std::ostream* stream_;
@@ -123,7 +122,6 @@ class TraceCaches final : public TraceListener {
 
     void access(const FileAccess& access);
     void on_access(const TracedAccess& at) override { access({at.address, at.bytes, at.kind}); }
-    void on_query_end(bool /*counts*/) override {}
 
     [[nodiscard]] std::uint64_t reads() const { return reads_; }
     [[nodiscard]] std::uint64_t writes() const { return writes_; }

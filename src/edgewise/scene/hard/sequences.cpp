@@ -114,13 +114,9 @@ Vec3d place_of(Maker& maker) {
     return place;
 }
 
-struct ThinBodies {
-    CaseBody a, b;
-};
-
-/// Returns two thin bodies. In every eighth pair one body is up to a million times as large.
-ThinBodies thin_bodies_of(Maker& maker) {
-    ThinBodies bodies{{"a", thin_body(maker), {}}, {"b", {}, {}}};
+/// Returns two thin bodies without poses. In every eighth pair one body is up to a million times as large.
+Pair thin_bodies_of(Maker& maker) {
+    Pair bodies{{"a", thin_body(maker), {}}, {"b", {}, {}}, {}};
     bodies.b.vertices = partner_of(maker, bodies.a.vertices);
     if (maker.rng.below(2) == 0) std::swap(bodies.a.vertices, bodies.b.vertices);
     if (maker.rng.below(8) == 0) {
@@ -153,7 +149,7 @@ Pair bad_warm_start(Maker& maker) {
 }
 
 Pair thin_bodies(Maker& maker) {
-    auto [a, b] = thin_bodies_of(maker);
+    auto [a, b, none] = thin_bodies_of(maker);
     const Mat3d common = maker.common_rotation();
     Mat3d rotation = multiply(common, turn_of(maker));
     if (maker.rng.below(3) == 0) rotation = rounded_to_single(rotation);
@@ -166,8 +162,7 @@ Pair thin_bodies(Maker& maker) {
 
 /// Slid, tilted and lifted by steps about as large as the bodies are thick, with a jump now and then.
 Pair thin_bodies_in_motion(Maker& maker) {
-    auto [a, b] = thin_bodies_of(maker);
-    Pair pair{std::move(a), std::move(b), {}};
+    Pair pair = thin_bodies_of(maker);
     const double step = maker.spread(thinnest, -4);
     const bool rounds = maker.rng.below(3) == 0;
     Mat3d turn = turn_of(maker);

@@ -145,7 +145,12 @@ Result<Workload> recorded_workload(const Recording& recording, const SceneParame
     workload.warm = true;
     workload.table_each = parameters.at("own_tables") == 1;
     workload.bodies = recording.cores;
-    for (const RecordedBody& body : recording.bodies) workload.instances.push_back(body.core);
+    for (const RecordedBody& body : recording.bodies) {
+        workload.instances.push_back(body.core);
+        workload.radii.push_back(body.radius);
+    }
+    if (std::ranges::all_of(workload.radii, [](double radius) { return radius == 0; }))
+        workload.radii.clear();
     PairSlots slots;
     for (Replayed& step : steps) {
         if (step.jump) slots.clear();

@@ -99,23 +99,12 @@ std::size_t queries_wanted(const SceneSetup& setup, const Workload& workload) {
     return steps == 0 ? setup.query_count : std::max(setup.query_count, end);
 }
 
-/// Scale of the bodies' lengths.
-double scale_of_bodies(const SceneSetup& setup) {
-    if (setup["box_of_bodies"] == 0) return 1;
-    return coarse(cube_root(setup["box_of_bodies"] / setup["bodies"]));
-}
-
-/// Sorts the queries pair after pair instead of in time order.
-void group_by_pair(Workload& workload) {
-    workload.frames.clear();
-    std::ranges::stable_sort(workload.queries, {}, &Query::pair);
-}
-
 Result<Workload> make_tumble(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
     workload.table_each = setup.count("own_tables") == 1;
-    const double scale = scale_of_bodies(setup);
+    const double box = setup["box_of_bodies"];
+    const double scale = box == 0 ? 1 : coarse(cube_root(box / setup["bodies"]));  // of their lengths
     workload.bodies.push_back(scale == 1 ? setup.shape : scaled(setup.shape, scale));
     const Polyhedron shape = workload.bodies.front();
     workload.instances.assign(setup.count("bodies"), 0);
@@ -134,7 +123,10 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
         }
     }
     cut(queries_wanted(setup, workload), workload);
-    if (setup.count("in_time_order") == 0) group_by_pair(workload);
+    if (setup.count("in_time_order") == 0) {  // pair after pair
+        workload.frames.clear();
+        std::ranges::stable_sort(workload.queries, {}, &Query::pair);
+    }
     return Result<Workload>::success(std::move(workload));
 }
 

@@ -30,15 +30,6 @@ std::optional<std::uint64_t> count_in(std::string_view word) {
     return error == std::errc{} ? std::min(value, largest_count) : largest_count;
 }
 
-/// The file's first bytes.
-std::string head_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(most_header_bytes, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-    return head;
-}
-
 std::string too_many(const std::string& what, std::uint64_t count, std::uint64_t bytes) {
     return message("announces ", count, " ", what, ", more than its ", bytes,
                    " bytes can hold: it is cut short or damaged");
@@ -97,7 +88,7 @@ Ply ply_header(TextLines& lines) {
 }
 
 std::string ply_error(std::string_view head, std::uint64_t file_bytes) {
-    std::string first = lowered(head.substr(0, head.find('\n')));
+    std::string first = lower_case(head.substr(0, head.find('\n')));
     if (first.ends_with('\r')) first.pop_back();
     if (first != "ply") return "cannot be read as a mesh: its first line is not 'ply'";
     TextLines lines(head);
@@ -171,7 +162,7 @@ OffHeader off_header(TextRows& rows) {
     OffHeader header;
     while (header.counts.empty() && rows.next()) {
         header.counts = rows.words();
-        if (const std::string first = lowered(header.counts[0]); first.ends_with("off")) {
+        if (const std::string first = lower_case(header.counts[0]); first.ends_with("off")) {
             header.magic = first;
             header.counts.erase(header.counts.begin());
         }
@@ -212,52 +203,35 @@ void check_ply_row(const PlyElement& element, const TextRows& rows, std::uint64_
     rows.check_width(element.name, at);
 }
 
-/// Steps over rows of binary numbers.
-class BinaryRows {
-  public:
-    BinaryRows(std::string_view bytes, bool is_big_endian) : rest_(bytes), is_big_endian_(is_big_endian) {}
-
-    /// False where the bytes end before the row does.
-    bool pass(const PlyElement& element) {
-        for (const PlyProperty& property : element.properties) {
-            std::uint64_t count = 1;
-            if (!property.count_type.empty()) {
-                const std::size_t width = ply_bytes(property.count_type);
-                if (width > rest_.size()) return false;
-                count = number(rest_.substr(0, width));
-                rest_.remove_prefix(width);
-            }
-            const std::uint64_t width = ply_bytes(property.type);
-            if (count > rest_.size() / width) return false;
-            rest_.remove_prefix(count * width);
+/// Steps over a row of binary numbers. False where the bytes end before the row does.
+bool pass_row(const PlyElement& element, bool is_big_endian, std::string_view& rest) {
+    for (const PlyProperty& property : element.properties) {
+        std::uint64_t count = 1;
+        if (!property.count_type.empty()) {
+            const std::size_t width = ply_bytes(property.count_type);
+            if (width > rest.size()) return false;
+            count = 0;
+            for (std::size_t k = 0; k < width; ++k)
+                count = count << 8 | static_cast<unsigned char>(rest[is_big_endian ? k : width - 1 - k]);
+            rest.remove_prefix(width);
         }
-        return true;
+        const std::uint64_t width = ply_bytes(property.type);
+        if (count > rest.size() / width) return false;
+        rest.remove_prefix(count * width);
     }
-    [[nodiscard]] std::string_view rest() const { return rest_; }
+    return true;
+}
 
-  private:
-    [[nodiscard]] std::uint64_t number(std::string_view bytes) const {
-        std::uint64_t value = 0;
-        for (std::size_t k = 0; k < bytes.size(); ++k)
-            value = value << 8 | static_cast<unsigned char>(bytes[is_big_endian_ ? k : bytes.size() - 1 - k]);
-        return value;
-    }
-
-    std::string_view rest_;
-    bool is_big_endian_;
-};
-
-void check_binary(const Ply& ply, std::string_view bytes) {
-    BinaryRows rows(bytes, ply.is_big_endian);
+void check_binary(const Ply& ply, std::string_view rest) {
     for (const PlyElement& element : ply.elements) {
         for (std::uint64_t row = 0; row < element.count(); ++row) {
-            if (!rows.pass(element))
+            if (!pass_row(element, ply.is_big_endian, rest))
                 throw MeshFault{0, message("ends after ", row, " of ", element.count(), " rows of '",
                                            element.name, "' that its header announces")};
         }
     }
-    if (rows.rest().find_first_not_of("\r\n") != std::string_view::npos)
-        throw MeshFault{0, message("has ", rows.rest().size(), " bytes more than its header announces")};
+    if (rest.find_first_not_of("\r\n") != std::string_view::npos)
+        throw MeshFault{0, message("has ", rest.size(), " bytes more than its header announces")};
 }
 
 void check_ply(std::string_view bytes) {
@@ -280,7 +254,7 @@ void check_off(std::string_view text) {
     const auto [magic, counts] = off_header(rows);
     const bool is_plain = magic == "off" || magic.empty();
     if (counts.empty() && magic.empty()) return;
-    if (magic == "4off" || magic == "noff4" || (!counts.empty() && lowered(counts[0]) == "binary")) return;
+    if (magic == "4off" || magic == "noff4" || (!counts.empty() && lower_case(counts[0]) == "binary")) return;
     const auto vertices = counts.empty() ? std::nullopt : count_in(counts[0]);
     const auto faces = counts.empty() ? std::nullopt : count_in(counts[1]);
     if (!vertices || !faces) rows.fail("the numbers of vertices and faces should be here");
@@ -322,13 +296,18 @@ std::uint64_t ply_bytes(std::string_view type) {
 }
 
 std::string mesh_header_error(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string head(most_header_bytes, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
     std::error_code error;
-    return mesh_header_error(std::filesystem::path(path).extension().string(), head_of(path),
+    return mesh_header_error(std::filesystem::path(path).extension().string(), head,
                              std::filesystem::file_size(path, error));
 }
 
 std::string mesh_header_error(const std::string& ending, const std::string& head, std::uint64_t bytes) {
-    const std::string format = lowered(ending), start = lowered(head.substr(0, head.find_first_of("\r\n")));
+    const std::string format = lower_case(ending),
+                      start = lower_case(head.substr(0, head.find_first_of("\r\n")));
     if (format == ".ply" || start.starts_with("ply")) return ply_error(head, bytes);
     if (format == ".off" || start.starts_with("off")) return off_error(head, bytes);
     return {};

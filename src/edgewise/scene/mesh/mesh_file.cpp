@@ -17,6 +17,7 @@
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/mesh/mesh_parts.hpp"
 #include "edgewise/scene/mesh/mesh_text.hpp"
 
@@ -40,7 +41,7 @@ Parts parts_of(const std::string& path, bool as_stored, const std::optional<inpu
     std::error_code code;
     const std::uint64_t bytes = std::filesystem::file_size(path, code);
     if (bytes == 0) return Parts::failure(": is empty (0 bytes)");
-    const std::string ending = lowered(std::filesystem::path(path).extension().string());
+    const std::string ending = lower_case(std::filesystem::path(path).extension().string());
     if (ending == ".obj" || ending == ".stl") {
         const auto text = input::read_file_text(path, most_mesh_bytes);
         if (!text) return Parts::failure(text.error.substr(path.size()));

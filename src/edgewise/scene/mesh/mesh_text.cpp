@@ -2,7 +2,6 @@
 #include "edgewise/scene/mesh/mesh_text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -57,12 +56,6 @@ std::vector<std::string_view> words_of(std::string_view line) {
         words.push_back(line.substr(0, line.find_first_of(blanks)));
         line.remove_prefix(words.back().size());
     }
-}
-
-std::string lowered(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
-    return result;
 }
 
 Result<double> coordinate_from(std::string_view word) {

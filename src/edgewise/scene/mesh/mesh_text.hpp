@@ -32,8 +32,6 @@ class TextLines {
 /// Words between blanks and tabs.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
 
-[[nodiscard]] std::string lowered(std::string_view text);
-
 /// A finite number in decimal that a body can have. The error quotes the word and has no place.
 [[nodiscard]] Result<double> coordinate_from(std::string_view word);
 /// Three of them.

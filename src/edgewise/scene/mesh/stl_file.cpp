@@ -33,7 +33,7 @@ bool is_text(std::string_view bytes) {
     while (lines.next()) {
         const auto words = words_of(lines.line());
         if (!words.empty())
-            return lowered(words[0]) == "solid" && bytes.find('\0') >= head_bytes + facet_bytes;
+            return lower_case(words[0]) == "solid" && bytes.find('\0') >= head_bytes + facet_bytes;
     }
     return false;
 }
@@ -80,7 +80,7 @@ class StlText {
         while (has_word()) {
             expect("solid");
             MeshPart part{rest_of_line(), {}, {}};
-            while (!has_word() || lowered(words_[at_]) != "endsolid") take_facet(part);
+            while (!has_word() || lower_case(words_[at_]) != "endsolid") take_facet(part);
             static_cast<void>(rest_of_line());
             if (!part.points.empty()) parts.push_back(std::move(part));
         }
@@ -106,7 +106,7 @@ class StlText {
     }
 
     void expect(std::string_view wanted) {
-        if (const std::string_view found = word(wanted); lowered(found) != wanted)
+        if (const std::string_view found = word(wanted); lower_case(found) != wanted)
             fail(message("'", on_one_line(found), "' where '", wanted, "' should be"));
     }
 

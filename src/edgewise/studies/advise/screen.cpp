@@ -60,10 +60,8 @@ void look_at(ScreenedCell& cell, const CaseAsked& asked, const ScreenOptions& op
     bench::RunnerOptions query;
     query.set_needs(asked.needs);
     sweep::PreparedCell ready(*cell.type, cell.algorithm, query);
-    if (std::string problem = ready.load(shared.workload()); !problem.empty()) {
-        drop(cell, DroppedFor::failure, std::move(problem));
-        return;
-    }
+    if (std::string problem = ready.load(shared.workload()); !problem.empty())
+        return drop(cell, DroppedFor::failure, std::move(problem));
     cell.table_bytes = static_cast<double>(ready.runner().ledger().total());
     cell.bytes_per_edge = cell.table_bytes / static_cast<double>(asked.shape.body.edge_count());
     ready.check(shared);

@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "edgewise/algorithms/rounded.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/runner_options.hpp"
 #include "edgewise/geometry/polyhedron.hpp"
@@ -31,32 +30,25 @@ struct QueryKind {
 class RunnerAsker final : public Asker {
   public:
     RunnerAsker(const bench::TableType& type, const std::string& algorithm, const QueryKind& kind)
-        : kind_(kind), runner_(type.make_runner(algorithm)) {
+        : runner_(type.make_runner(algorithm)) {
         bench::RunnerOptions options{.query = {.sub_distance = kind.sub_distance}};
+        if (kind.rounded) options.radius = bench::usual_margin / 2;
         options.set_needs(kind.needs);
         runner_->configure(options);
     }
 
     [[nodiscard]] std::string load(const scene::Workload& workload) override {
-        margin_ = 0;
-        if (kind_.rounded || has_margin(kind_.needs))
-            for (const Polyhedron& body : workload.bodies)
-                margin_ = std::max(margin_, bench::usual_margin * extent(body.vertices));
-        return runner_->load(workload);
+        std::string error = runner_->load(workload);
+        margin_ = error.empty() ? runner_->margin(workload.queries.front()) : 0;
+        return error;
     }
-    [[nodiscard]] std::vector<Distance> answer() override {
-        std::vector<Distance> answers = runner_->answer();
-        if (kind_.rounded)
-            for (Distance& answer : answers) answer = rounded(answer, margin_ / 4, 3 * margin_ / 4);
-        return answers;
-    }
+    [[nodiscard]] std::vector<Distance> answer() override { return runner_->answer(); }
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override {
         return runner_->stored_bodies();
     }
     [[nodiscard]] double margin() const override { return margin_; }
 
   private:
-    QueryKind kind_;
     std::unique_ptr<bench::Runner> runner_;
     double margin_ = 0;
 };
@@ -208,16 +200,10 @@ void count_proof(const truth::ProvenPair& known, FamilyTally& family) {
 
 void count_answer(const truth::CheckedAnswer& checked, std::uint64_t pair, FamilyTally& family,
                   CellTally& cell) {
-    CellTally one;
-    one.answers = 1;
-    one.in_band = checked.in_band;
-    one.wrong = checked.wrong();
-    one.worst_error = checked.worst_beyond();
-    one.worst_pair = pair;
-    cell.add(one);
+    cell.add({1, 0, checked.in_band, checked.wrong(), checked.worst_beyond(), pair});
     ++family.answers;
-    family.in_band += one.in_band;
-    family.wrong += one.wrong;
+    family.in_band += checked.in_band;
+    family.wrong += checked.wrong();
     family.exact_answers += !checked.is_bound;
 }
 

@@ -24,31 +24,23 @@
 
 namespace edgewise::studies::campaign {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FamilyTally, blocks, pairs, refused_pairs, separated, touching,
+                                   overlapping, grazing, double_proofs, wide_proofs, exact_proofs, answers,
+                                   refused, in_band, exact_answers, wrong, making_s, asking_s, proving_s,
+                                   least_vertices, most_vertices)
+
 namespace {
 
-/// Every member that is a sum, by its name in files.
-constexpr std::pair<const char*, std::uint64_t FamilyTally::*> family_sums[] = {
-    {"blocks", &FamilyTally::blocks},
-    {"pairs", &FamilyTally::pairs},
-    {"refused_pairs", &FamilyTally::refused_pairs},
-    {"separated", &FamilyTally::separated},
-    {"touching", &FamilyTally::touching},
-    {"overlapping", &FamilyTally::overlapping},
-    {"grazing", &FamilyTally::grazing},
-    {"double_proofs", &FamilyTally::double_proofs},
-    {"wide_proofs", &FamilyTally::wide_proofs},
-    {"exact_proofs", &FamilyTally::exact_proofs},
-    {"answers", &FamilyTally::answers},
-    {"refused", &FamilyTally::refused},
-    {"in_band", &FamilyTally::in_band},
-    {"exact_answers", &FamilyTally::exact_answers},
-    {"wrong", &FamilyTally::wrong},
-};
-constexpr std::pair<const char*, double FamilyTally::*> family_seconds[] = {
-    {"making_s", &FamilyTally::making_s},
-    {"asking_s", &FamilyTally::asking_s},
-    {"proving_s", &FamilyTally::proving_s},
-};
+/// Every member that is a sum.
+constexpr std::uint64_t FamilyTally::*family_sums[] = {
+    &FamilyTally::blocks,       &FamilyTally::pairs,         &FamilyTally::refused_pairs,
+    &FamilyTally::separated,    &FamilyTally::touching,      &FamilyTally::overlapping,
+    &FamilyTally::grazing,      &FamilyTally::double_proofs, &FamilyTally::wide_proofs,
+    &FamilyTally::exact_proofs, &FamilyTally::answers,       &FamilyTally::refused,
+    &FamilyTally::in_band,      &FamilyTally::exact_answers, &FamilyTally::wrong};
+constexpr double FamilyTally::*family_seconds[] = {&FamilyTally::making_s, &FamilyTally::asking_s,
+                                                   &FamilyTally::proving_s};
+/// By their names in files.
 constexpr std::pair<const char*, std::uint64_t CellTally::*> cell_sums[] = {
     {"answers", &CellTally::answers},
     {"refused", &CellTally::refused},
@@ -59,8 +51,8 @@ constexpr std::pair<const char*, std::uint64_t CellTally::*> cell_sums[] = {
 }  // namespace
 
 void FamilyTally::add(const FamilyTally& other) {
-    for (const auto& [name, member] : family_sums) this->*member += other.*member;
-    for (const auto& [name, member] : family_seconds) this->*member += other.*member;
+    for (const auto member : family_sums) this->*member += other.*member;
+    for (const auto member : family_seconds) this->*member += other.*member;
     const bool none =
         least_vertices == 0 || (other.least_vertices > 0 && other.least_vertices < least_vertices);
     if (none) least_vertices = other.least_vertices;
@@ -92,14 +84,7 @@ FamilyTally Tally::all_families() const {
 }
 
 nlohmann::json to_json(const Tally& tally) {
-    nlohmann::json families = nlohmann::json::object(), cells = nlohmann::json::object();
-    for (const auto& [name, family] : tally.families) {
-        nlohmann::json& object = families[name];
-        for (const auto& [key, member] : family_sums) object[key] = family.*member;
-        for (const auto& [key, member] : family_seconds) object[key] = family.*member;
-        object["least_vertices"] = family.least_vertices;
-        object["most_vertices"] = family.most_vertices;
-    }
+    nlohmann::json cells = nlohmann::json::object();
     for (const auto& [name, cell] : tally.cells) {
         nlohmann::json& object = cells[name];
         for (const auto& [key, member] : cell_sums) object[key] = cell.*member;
@@ -108,18 +93,12 @@ nlohmann::json to_json(const Tally& tally) {
             std::isfinite(cell.worst_error) ? nlohmann::json(cell.worst_error) : nlohmann::json();
         object["worst_pair"] = cell.worst_pair;
     }
-    return {{"families", families}, {"cells", cells}};
+    return {{"families", tally.families}, {"cells", cells}};
 }
 
 Tally tally_of(const nlohmann::json& text) {
     Tally tally;
-    for (const auto& [name, object] : text.at("families").items()) {
-        FamilyTally& family = tally.families[name];
-        for (const auto& [key, member] : family_sums) family.*member = object.at(key).get<std::uint64_t>();
-        for (const auto& [key, member] : family_seconds) family.*member = object.at(key).get<double>();
-        family.least_vertices = object.at("least_vertices").get<std::uint64_t>();
-        family.most_vertices = object.at("most_vertices").get<std::uint64_t>();
-    }
+    for (const auto& [name, object] : text.at("families").items()) object.get_to(tally.families[name]);
     for (const auto& [name, object] : text.at("cells").items()) {
         CellTally& cell = tally.cells[name];
         for (const auto& [key, member] : cell_sums) cell.*member = object.at(key).get<std::uint64_t>();

@@ -32,12 +32,15 @@ fs::path output_file() {
     return fs::temp_directory_path() / fmt::format("edgewise-callgrind-{}-{}", getpid(), number++);
 }
 
-/// Runs the command, which writes to a file of ours, and returns what `parse` makes of that file. The file
-/// is removed afterwards.
-template <class MakeCommand, class Parse>
-auto read_output(const MakeCommand& command, const Parse& parse) {
+/// Runs the passes under Callgrind with these further options, which writes to a file of ours, and returns
+/// what `parse` makes of that file. The file is removed afterwards.
+template <class Parse>
+auto counted(const CellChoice& choice, const measure::CacheGeometry& geometry, const std::string& program,
+             int passes, const std::vector<std::string>& options, const Parse& parse) {
     const fs::path file = output_file();
-    const auto outcome = measure::run_program(command(file));
+    auto command = measure::callgrind_command(geometry, file, pass_command(choice, program, passes));
+    command.insert(command.begin() + 2, options.begin(), options.end());  // after the tool's name
+    const auto outcome = measure::run_program(command);
     std::ifstream output(file);
     using Answer = decltype(parse(output));
     std::error_code ignored;
@@ -82,26 +85,15 @@ std::vector<std::string> pass_command(const CellChoice& choice, const std::strin
 measure::Expected<measure::CallgrindCounts> callgrind_pass(const CellChoice& choice,
                                                            const measure::CacheGeometry& geometry,
                                                            const std::string& program, int passes) {
-    const auto parse = [](std::istream& output) {
-        std::ostringstream text;
-        text << output.rdbuf();
-        return measure::parse_callgrind(text.str());
-    };
-    const auto command = [&](const fs::path& output) {
-        return measure::callgrind_command(geometry, output, pass_command(choice, program, passes));
-    };
-    return read_output(command, parse);
+    return counted(choice, geometry, program, passes, {}, [](std::istream& output) {
+        return measure::parse_callgrind(std::string(std::istreambuf_iterator<char>(output), {}));
+    });
 }
 
 measure::Expected<measure::CallgrindLines> callgrind_lines(const CellChoice& choice,
                                                            const measure::CacheGeometry& geometry,
                                                            const std::string& program, int passes) {
-    const auto command = [&](const fs::path& output) {
-        auto words = measure::callgrind_command(geometry, output, pass_command(choice, program, passes));
-        words.insert(words.begin() + 2, "--dump-instr=yes");  // after the tool's name
-        return words;
-    };
-    return read_output(command, measure::parse_callgrind_lines);
+    return counted(choice, geometry, program, passes, {"--dump-instr=yes"}, measure::parse_callgrind_lines);
 }
 
 measure::Expected<std::string> program_for_valgrind() {

@@ -154,12 +154,6 @@ struct EffortPlan {
     measure::MachineChoice machine;
 };
 
-/// One row, ready for a store.
-struct EffortRow {
-    store::CellRow cell;
-    std::vector<store::FigureRow> figures;
-};
-
 /// Table type and algorithm, or peer, of a row, and the choice that runs it.
 struct EffortContender {
     const bench::TableType* type;
@@ -180,12 +174,13 @@ struct EffortContender {
 /// before the last row.
 [[nodiscard]] bool run_effort(const EffortPlan& plan,
                               const std::function<bool(const store::CellRow&)>& wanted,
-                              const std::function<void(std::size_t place, const EffortRow&)>& on_row,
+                              const std::function<void(std::size_t place, const store::StoredCell&)>& on_row,
                               const std::atomic<bool>& stop);
 
 /// Runs as run_effort and writes to the store; skips rows that are already counted there.
-[[nodiscard]] bool store_effort(const EffortPlan& plan, const std::string& build, store::Store& store,
-                                const std::function<void(std::size_t place, const EffortRow&)>& on_row,
-                                const std::atomic<bool>& stop);
+[[nodiscard]] bool store_effort(
+    const EffortPlan& plan, const std::string& build, store::Store& store,
+    const std::function<void(std::size_t place, const store::StoredCell&)>& on_row,
+    const std::atomic<bool>& stop);
 
 }  // namespace edgewise::studies

@@ -126,7 +126,7 @@ std::vector<store::FigureRow> effort_figures(const Effort& effort, const std::st
 }
 
 bool run_effort(const EffortPlan& plan, const std::function<bool(const store::CellRow&)>& wanted,
-                const std::function<void(std::size_t place, const EffortRow&)>& on_row,
+                const std::function<void(std::size_t place, const store::StoredCell&)>& on_row,
                 const std::atomic<bool>& stop) {
     const auto geometry = geometry_of(plan.machine);
     const auto program = program_for_valgrind();
@@ -149,20 +149,17 @@ bool run_effort(const EffortPlan& plan, const std::function<bool(const store::Ce
 }
 
 bool store_effort(const EffortPlan& plan, const std::string& build, store::Store& store,
-                  const std::function<void(std::size_t place, const EffortRow&)>& on_row,
+                  const std::function<void(std::size_t place, const store::StoredCell&)>& on_row,
                   const std::atomic<bool>& stop) {
     constexpr store::FigureName misses("effort.{machine}.d1_misses");
-    const std::string name = misses.of(plan.machine.name).name();
-    const auto is_counted = [&](const store::CellRow& row) {
-        const std::vector<store::FigureRow> figures = store.figures(build, row.hash);
-        return std::any_of(figures.begin(), figures.end(), [&](const store::FigureRow& figure) {
-            return figure.probe == misses.probe() && figure.name == name && figure.value;
-        });
+    const auto lacks_counts = [&](const store::CellRow& row) {
+        const store::StoredCell stored{row, store.figures(build, row.hash)};
+        return !stored.figure(misses.of(plan.machine.name)).value;
     };
     return run_effort(
-        plan, [&](const store::CellRow& row) { return !is_counted(row); },
-        [&](std::size_t place, const EffortRow& row) {
-            store.put_cell(build, row.cell, row.figures);
+        plan, lacks_counts,
+        [&](std::size_t place, const store::StoredCell& row) {
+            store.put_cell(build, row, row.figures);
             on_row(place, row);
         },
         stop);
@@ -182,8 +179,8 @@ EffortPlan effort_plan(const sweep::SweepWork& work) {
 
 bool run_effort_study(const sweep::SweepWork& work, store::Store& store, const sweep::OnStudyRow& on_row,
                       const std::atomic<bool>& stop) {
-    const auto notify = [&](std::size_t, const EffortRow& row) {
-        on_row(row.cell.algorithm + " " + row.cell.table, row.cell.status);
+    const auto notify = [&](std::size_t, const store::StoredCell& row) {
+        on_row(row.algorithm + " " + row.table, row.status);
     };
     return store_effort(effort_plan(work), bench::this_build().id, store, notify, stop);
 }

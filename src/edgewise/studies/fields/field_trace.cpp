@@ -14,34 +14,14 @@ namespace edgewise::studies {
 
 namespace {
 
-/// Finds the field at an address.
-class FieldDictionary {
+class FieldRecorder final : public measure::TraceListener {
   public:
-    explicit FieldDictionary(const std::vector<FieldMap>& maps) {
+    explicit FieldRecorder(const std::vector<FieldMap>& maps) {
         for (std::uint32_t table = 0; table < maps.size(); ++table)
             for (const FieldPlace& place : maps[table].places)
                 entries_.emplace(place.at,
                                  Entry{{table, place.element, place.field, place.part}, place.bytes});
     }
-
-    /// Returns null if no field of this many bytes lies there.
-    [[nodiscard]] const FieldAccess* find(std::uint64_t address, std::uint32_t bytes) const {
-        const auto found = entries_.find(address);
-        if (found == entries_.end() || found->second.bytes != bytes) return nullptr;
-        return &found->second.access;
-    }
-
-  private:
-    struct Entry {
-        FieldAccess access;
-        std::uint8_t bytes;
-    };
-    std::unordered_map<std::uint64_t, Entry> entries_;
-};
-
-class FieldRecorder final : public measure::TraceListener {
-  public:
-    explicit FieldRecorder(const std::vector<FieldMap>& maps) : dictionary_(maps) {}
 
     void on_query_start(measure::QueryStart start) override {
         events_.push_back({.kind = FieldEvent::Kind::query_start, .start = start});
@@ -53,11 +33,13 @@ class FieldRecorder final : public measure::TraceListener {
     void on_access(const measure::TracedAccess& access) override {
         events_.push_back({.kind = FieldEvent::Kind::other, .access = access});
         if (access.side == measure::TraceSide::scene) return;
-        const FieldAccess* const field = dictionary_.find(access.address, access.bytes);
-        if (!field && !unknown_) unknown_ = access;
-        if (!field) return;
-        events_.back().kind = FieldEvent::Kind::field;
-        events_.back().field = *field;
+        const auto found = entries_.find(access.address);
+        if (found != entries_.end() && found->second.bytes == access.bytes) {
+            events_.back().kind = FieldEvent::Kind::field;
+            events_.back().field = found->second.access;
+        } else if (!unknown_) {
+            unknown_ = access;
+        }
     }
     void on_query_end(bool counts) override {
         events_.push_back({.kind = FieldEvent::Kind::query_end, .counts = counts});
@@ -69,7 +51,11 @@ class FieldRecorder final : public measure::TraceListener {
     [[nodiscard]] const std::optional<measure::TracedAccess>& unknown() const { return unknown_; }
 
   private:
-    FieldDictionary dictionary_;
+    struct Entry {
+        FieldAccess access;
+        std::uint8_t bytes;
+    };
+    std::unordered_map<std::uint64_t, Entry> entries_;  ///< by address
     std::vector<FieldEvent> events_;
     std::optional<measure::TracedAccess> unknown_;
 };

@@ -21,20 +21,15 @@ namespace edgewise::studies {
 
 namespace {
 
-class ModelledCaches final : public measure::TraceListener {
-  public:
+struct ModelledCaches final : measure::TraceListener {
     explicit ModelledCaches(std::span<const measure::CacheMachine> machines) {
-        for (const measure::CacheMachine& machine : machines) models_.emplace_back(machine.caches);
+        for (const measure::CacheMachine& machine : machines) models.emplace_back(machine.caches);
     }
     void on_access(const measure::TracedAccess& access) override {
-        for (measure::CacheModel& model : models_) model.access(access.address, access.bytes, access.kind);
+        for (measure::CacheModel& model : models) model.access(access.address, access.bytes, access.kind);
     }
-    void on_query_end(bool /*counts*/) override {}
 
-    [[nodiscard]] std::vector<measure::CacheModel>& models() { return models_; }
-
-  private:
-    std::vector<measure::CacheModel> models_;
+    std::vector<measure::CacheModel> models;
 };
 
 }  // namespace
@@ -44,12 +39,12 @@ TraceCost cost_of(const TracePass& pass, std::span<const measure::CacheMachine> 
     ModelledCaches caches(machines);
     measure::TraceFanOut both({&lines, &caches});
     pass(both);
-    for (measure::CacheModel& model : caches.models()) model.forget_counts();
+    for (measure::CacheModel& model : caches.models) model.forget_counts();
     pass(caches);
     const measure::LinesTouched& sum = lines.sums().all;
     TraceCost cost{sum.queries, sum.lines, sum.reads, {}};
     for (std::size_t i = 0; i < machines.size(); ++i) {
-        const measure::CacheModel& model = caches.models()[i];
+        const measure::CacheModel& model = caches.models[i];
         for (std::size_t level = 0; level < model.counts().size(); ++level) {
             const auto misses = static_cast<double>(model.counts(level).misses);
             cost.misses.push_back({machines[i].name, model.geometry().levels[level].name,
@@ -72,7 +67,7 @@ struct Standing {
 /// Returns the layout made by hand, with fewer lines than the given table, that it is usually compared with.
 std::string usual_beside(const bench::TableType& type) {
     const std::string name = "hot_cold_" + type.precision;
-    return type.layout == "hot_cold" || !has_table_type(name) ? "" : name;
+    return type.layout == "hot_cold" || !bench::find_table_type(name) ? "" : name;
 }
 
 class FieldsRun {
@@ -130,7 +125,7 @@ class FieldsRun {
             trace_fields(original().runner(), bench::TraceExtent::everything(), type().name);
         advice_.table = type().name;
         advice_.builder = builder_of(type());
-        if (!has_table_type(advice_.builder))
+        if (!bench::find_table_type(advice_.builder))
             throw std::invalid_argument(fmt::format(
                 "{}, which builds what is advised, is not in this program: name it in EDGEWISE_LAYOUTS",
                 advice_.builder));
@@ -190,11 +185,6 @@ class FieldsRun {
 
 }  // namespace
 
-bool has_table_type(const std::string& name) {
-    return std::ranges::find(bench::table_types(), name, &bench::TableType::name) !=
-           bench::table_types().end();
-}
-
 std::string builder_of(const bench::TableType& type) { return "grouped_" + type.precision; }
 
 FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& on_round) {
@@ -202,8 +192,6 @@ FieldsAdvice advise_fields(const FieldsPlan& plan, const std::function<void()>& 
 }
 
 // Decides whether advice on fields held.
-
-using Role = FieldsContender::Role;
 
 std::string_view to_string(FieldsContender::Role role) {
     constexpr std::string_view names[] = {"original", "own groups", "control", "advised", "beside"};

@@ -249,8 +249,6 @@ struct FieldsAdvice {
     [[nodiscard]] Held time_held() const;
 };
 
-[[nodiscard]] bool has_table_type(const std::string& name);
-
 /// Returns the table type that builds the groups advised for this one.
 [[nodiscard]] std::string builder_of(const bench::TableType& type);
 

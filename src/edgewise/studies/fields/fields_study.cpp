@@ -102,15 +102,6 @@ class FieldsFigures {
     std::vector<store::FigureRow> figures_;
 };
 
-const bench::TableType& asked_type(const CellChoice& choice) {
-    const std::string names[] = {choice.table};
-    return *bench::select_table_types(names).front();
-}
-
-bool can_build(const CellChoice& choice) {
-    return has_table_type(choice.table) && has_table_type(builder_of(asked_type(choice)));
-}
-
 /// Returns the cells of the run, as far as this program can build their records in other groups.
 std::vector<CellChoice> fields_cells(const sweep::SweepWork& work) {
     std::vector<CellChoice> cells;
@@ -120,7 +111,8 @@ std::vector<CellChoice> fields_cells(const sweep::SweepWork& work) {
         choice.algorithm = algorithm;
         choice.queries = work.plan.count_of(fields_run);
         choice.seed = work.plan.seed;
-        if (can_build(choice)) cells.push_back(choice);
+        const bench::TableType* const type = bench::find_table_type(choice.table);
+        if (type && bench::find_table_type(builder_of(*type))) cells.push_back(choice);
     }
     return cells;
 }
@@ -149,7 +141,9 @@ bool run_fields_study(const sweep::SweepWork& work, store::Store& store, const s
 
 }  // namespace
 
-store::CellRow fields_row(const CellChoice& choice) { return row_of(choice, asked_type(choice), fields_run); }
+store::CellRow fields_row(const CellChoice& choice) {
+    return row_of(choice, bench::table_type_called(choice.table), fields_run);
+}
 
 std::vector<store::FigureRow> fields_figures(const FieldsAdvice& advice) {
     return FieldsFigures(advice).take();

@@ -160,11 +160,8 @@ constexpr const char* reference_algorithm = "vclip";
 constexpr const char* batch_axis = "batch=yes";
 
 const bench::TableType& reference_type() {
-    const auto types = bench::table_types();
-    const auto found = std::find_if(types.begin(), types.end(), [](const bench::TableType& type) {
-        return type.name == reference_table;
-    });
-    if (found == types.end())
+    const bench::TableType* found = bench::find_table_type(reference_table);
+    if (!found)
         throw std::invalid_argument(
             fmt::format("the gate divides by {} of {}, which this program lacks: name it in EDGEWISE_LAYOUTS",
                         reference_algorithm, reference_table));
@@ -224,7 +221,6 @@ class GateGroup {
                 continue;  // not a body for this layout
             Cell cell{choice.algorithm + " " + choice.type->name + " " + gate_group_name(scene.name, shape) +
                           (choice.axes.empty() ? "" : " " + choice.axes),
-                      over_reference,
                       {*choice.type, choice.algorithm, sweep::parse_axes(choice.axes)},
                       {}};
             if (const std::string error = cell.cell.load(shared_.workload()); !error.empty())
@@ -232,9 +228,7 @@ class GateGroup {
             cell.cell.check(shared_);
             const std::string problem = cell.cell.wrong();
             if (!problem.empty()) wrong.push_back(cell.name + ": " + problem);
-            const bool is_reference = cells_.empty();
-            if (is_reference) cell.figure = over_kernel;
-            if (problem.empty() || is_reference) cells_.push_back(std::move(cell));
+            if (problem.empty() || cells_.empty()) cells_.push_back(std::move(cell));
         }
     }
 
@@ -254,8 +248,8 @@ class GateGroup {
         std::vector<measure::RecordRow> rows;
         for (const Cell& cell : cells_) {
             const bool is_reference = &cell == &cells_.front();
-            const auto row =
-                gate_row(cell.name, cell.figure, cell.ns, is_reference ? kernel_ns_ : cells_.front().ns);
+            const auto row = gate_row(cell.name, is_reference ? over_kernel : over_reference, cell.ns,
+                                      is_reference ? kernel_ns_ : cells_.front().ns);
             if (!row)
                 throw std::invalid_argument(
                     fmt::format("{}: no ratio with an interval; give more --queries or --rounds", cell.name));
@@ -267,7 +261,6 @@ class GateGroup {
   private:
     struct Cell {
         std::string name;  ///< "gjk lean_f64 cold cube8 batch=yes"
-        const char* figure = over_reference;
         sweep::PreparedCell cell;
         std::vector<double> ns;  ///< per query, round by round
     };
@@ -289,11 +282,6 @@ measure::FigureRecord record_without_rows(const GatePlan& plan) {
              {"rounds", std::to_string(plan.rounds)}},
             {},
             {}};
-}
-
-bool is_asked_for(const GatePlan& plan, const std::string& group) {
-    return plan.groups.empty() ||
-           std::find(plan.groups.begin(), plan.groups.end(), group) != plan.groups.end();
 }
 
 /// Returns false if it was stopped.
@@ -326,7 +314,7 @@ std::optional<GateRun> run_gate(const GatePlan& plan,
     for (const GateScene& scene : gate_scenes()) {
         for (const char* shape : gate_shapes) {
             const std::string name = gate_group_name(scene.name, shape);
-            if (!is_asked_for(plan, name)) continue;
+            if (!plan.groups.empty() && std::ranges::find(plan.groups, name) == plan.groups.end()) continue;
             if (!add_group(plan, scene, shape, stop, run)) return std::nullopt;
             on_group(name);
         }

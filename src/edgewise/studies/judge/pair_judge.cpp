@@ -59,17 +59,6 @@ void judge(JudgedResponse& response, bool separated, const truth::PlacedBodies& 
     }
 }
 
-std::string answer_key(const JudgedResponse& response) {
-    return fmt::format("{} {} {} {} {}", response.status, response.distance.value_or(-1),
-                       response.depth.value_or(-1), response.error, to_string(response.is));
-}
-
-void refuse(JudgedResponse& response, const std::string& why) {
-    response.is = AnswerIs::refused;
-    response.status = "failed";
-    response.why = why;
-}
-
 std::vector<Polyhedron> bodies_of(const scene::Case& pair) {
     return {scene::body_from_case(pair.a).or_throw(), scene::body_from_case(pair.b).or_throw()};
 }
@@ -135,7 +124,9 @@ JudgedResponse ask(const Respondent& respondent, const scene::Case& pair, const 
     const std::vector<Polyhedron> bodies = bodies_of(pair);
     const auto runner = type.make_runner(respondent.algorithm);
     if (const std::string error = runner->load(bodies); !error.empty()) {
-        refuse(response, error);
+        response.is = AnswerIs::refused;
+        response.status = "failed";
+        response.why = error;
         return response;
     }
     const scene::Query query{0, 1, 0, pair.pose_a, pair.pose_b};
@@ -193,7 +184,9 @@ std::vector<JudgedResponse> ask_all(std::span<const Respondent> respondents, con
     for (const Respondent& respondent : respondents) {
         JudgedResponse response = ask(respondent, pair, truth);
         const std::string key =
-            (respondent.type->is_peer ? response.who : respondent.algorithm) + " " + answer_key(response);
+            fmt::format("{} {} {} {} {} {}", respondent.type->is_peer ? response.who : respondent.algorithm,
+                        response.status, response.distance.value_or(-1), response.depth.value_or(-1),
+                        response.error, to_string(response.is));
         const auto [place, is_new] = places.try_emplace(key, answers.size());
         if (is_new) {
             answers.push_back(std::move(response));

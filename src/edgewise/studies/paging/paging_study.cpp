@@ -52,17 +52,10 @@ std::vector<std::uint64_t> limits_for(std::uint64_t touched) {
     return limits;
 }
 
-const bench::TableType* find_type(const std::string& name) {
-    for (const bench::TableType& type : bench::table_types()) {
-        if (type.name == name) return &type;
-    }
-    return nullptr;
-}
-
 std::vector<PagedCell> cells_of_this_program() {
     std::vector<PagedCell> cells;
     for (const PagedCell& cell : paged_cells) {
-        const bench::TableType* type = find_type(cell.table);
+        const bench::TableType* type = bench::find_table_type(cell.table);
         if (type && type->serves(cell.algorithm)) cells.push_back(cell);
     }
     return cells;
@@ -83,7 +76,7 @@ store::CellRow row_of(const PagedCell& cell, const PagingPlan& plan, const Polyh
     row.algorithm = cell.algorithm;
     row.seed = plan.seed;
     row.queries = plan.steps * (plan.bodies - 1);
-    bench::describe_cell(row, *find_type(cell.table), body);
+    bench::describe_cell(row, bench::table_type_called(cell.table), body);
     bench::name_cell(row, body);
     return row;
 }
@@ -126,7 +119,7 @@ void run_cell(const PagedCell& cell, const PagingPlan& plan, const Polyhedron& b
                                                        plan.steps * (plan.bodies - 1), {})
                                          .or_throw();
     const PagingResult result =
-        measure_paging(*find_type(cell.table), cell.algorithm, workload, limits_for, stop);
+        measure_paging(bench::table_type_called(cell.table), cell.algorithm, workload, limits_for, stop);
     if (stop) return;
     row.status = result.reason.empty() ? store::CellStatus::verified : store::CellStatus::unavailable;
     row.reason = result.reason;

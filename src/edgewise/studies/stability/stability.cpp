@@ -275,21 +275,19 @@ std::vector<Subject> subjects_of(const StabilityPlan& plan) {
     return subjects;
 }
 
-StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family, const Subject& subject) {
-    const bench::TableType& type = *subject.type;
-    StabilityRow row;
-    row.cell.run = row.cell.scene = stability_run;
-    row.cell.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
-    row.cell.shape = family.name;
-    row.cell.shape_source = "generated";
-    row.cell.algorithm = subject.algorithm;
-    if (subject.raw) row.cell.axes = "hardening=off";
-    row.cell.layout = type.layout;
-    row.cell.precision = type.precision;
-    row.cell.table = type.name;
-    row.cell.seed = plan.seed;
-    row.cell.queries = plan.count;
-    bench::name_cell(row.cell, Polyhedron{});
+store::StoredCell row_for(const StabilityPlan& plan, const scene::HardFamily& family,
+                          const Subject& subject) {
+    store::StoredCell row;
+    row.run = row.scene = stability_run;
+    row.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
+    row.shape = family.name;
+    row.shape_source = "generated";
+    row.algorithm = subject.algorithm;
+    if (subject.raw) row.axes = "hardening=off";
+    bench::describe_cell(row, *subject.type, Polyhedron{});
+    row.seed = plan.seed;
+    row.queries = plan.count;
+    bench::name_cell(row, Polyhedron{});
     return row;
 }
 
@@ -297,13 +295,13 @@ StabilityRow row_for(const StabilityPlan& plan, const scene::HardFamily& family,
 using SharedCases = std::map<std::string, StabilityCases>;
 
 /// Raw V-Clip is judged: what is wrong with it fails nothing, and nothing of it is proven.
-StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& family, const Subject& subject,
-                          SharedCases& cases) {
-    StabilityRow row = row_for(plan, family, subject);
-    if (auto stored = plan.stored ? plan.stored(row.cell.hash) : std::nullopt) return *std::move(stored);
+store::StoredCell measured_row(const StabilityPlan& plan, const scene::HardFamily& family,
+                               const Subject& subject, SharedCases& cases) {
+    store::StoredCell row = row_for(plan, family, subject);
+    if (auto stored = plan.stored ? plan.stored(row.hash) : std::nullopt) return *std::move(stored);
     if (family.name == real_family && plan.real.empty()) {
-        row.cell.status = store::CellStatus::unavailable;
-        row.cell.reason = "no real meshes here: name some with --shape";
+        row.status = store::CellStatus::unavailable;
+        row.reason = "no real meshes here: name some with --shape";
         return row;
     }
     const bench::TableType& type = *subject.type;
@@ -315,10 +313,10 @@ StabilityRow measured_row(const StabilityPlan& plan, const scene::HardFamily& fa
     if (subject.raw) asked.make_raw();
     asked.run(tally);
     for (measure::Figure& figure : tally.figures()) row.figures.push_back({std::move(figure), "stability"});
-    row.cell.reason = tally.what_is_wrong();
-    row.cell.status = subject.raw               ? store::CellStatus::judged
-                      : row.cell.reason.empty() ? store::CellStatus::verified
-                                                : store::CellStatus::failed;
+    row.reason = tally.what_is_wrong();
+    row.status = subject.raw          ? store::CellStatus::judged
+                 : row.reason.empty() ? store::CellStatus::verified
+                                      : store::CellStatus::failed;
     return row;
 }
 
@@ -329,7 +327,7 @@ std::size_t stability_rows(const StabilityPlan& plan) {
 }
 
 StabilitySummary run_stability(const StabilityPlan& plan,
-                               const std::function<void(const StabilityRow&)>& on_row,
+                               const std::function<void(const store::StoredCell&)>& on_row,
                                const std::atomic<bool>& stop) {
     StabilitySummary summary;
     for (const scene::HardFamily* family : chosen_families(plan)) {
@@ -337,10 +335,10 @@ StabilitySummary run_stability(const StabilityPlan& plan,
         for (const Subject& subject : subjects_of(plan)) {
             summary.stopped = stop;
             if (summary.stopped) return summary;
-            const StabilityRow row = measured_row(plan, *family, subject, cases);
+            const store::StoredCell row = measured_row(plan, *family, subject, cases);
             ++summary.rows;
-            summary.failed += row.cell.failed();
-            summary.unavailable += row.cell.status == store::CellStatus::unavailable;
+            summary.failed += row.failed();
+            summary.unavailable += row.status == store::CellStatus::unavailable;
             on_row(row);
         }
     }

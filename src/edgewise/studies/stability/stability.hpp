@@ -84,12 +84,7 @@ class StabilityTally {
     int max_steps_ = 0;
     std::array<std::size_t, stability_tolerances.size()> failures_{};
     std::vector<double> errors_, witness_errors_, depth_errors_, widths_;
-    struct Time {
-        std::string bin;
-        std::optional<double> ns;
-        std::string none;  ///< why not
-    };
-    std::vector<Time> times_;
+    std::vector<measure::Figure> times_;
     std::string first_refusal_, first_wrong_;
 };
 
@@ -149,11 +144,6 @@ inline constexpr const char* real_family = "real_hulls_at_gaps";
 /// Table type on which V-Clip is also checked raw.
 inline constexpr const char* raw_type = "aos_f64";
 
-struct StabilityRow {
-    store::CellRow cell;
-    std::vector<store::FigureRow> figures;
-};
-
 struct StabilityPlan {
     std::vector<std::string> families;  ///< empty: all
     std::size_t count = 200;            ///< poses per family
@@ -164,7 +154,7 @@ struct StabilityPlan {
     bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
     /// Returns the row of that hash from an earlier run, which is not measured again; may be empty.
-    std::function<std::optional<StabilityRow>(const std::string& hash)> stored = {};
+    std::function<std::optional<store::StoredCell>(const std::string& hash)> stored = {};
 };
 
 struct StabilitySummary {
@@ -175,7 +165,7 @@ struct StabilitySummary {
 /// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with
 /// each row as soon as it is there.
 StabilitySummary run_stability(const StabilityPlan& plan,
-                               const std::function<void(const StabilityRow&)>& on_row,
+                               const std::function<void(const store::StoredCell&)>& on_row,
                                const std::atomic<bool>& stop);
 
 /// Returns the number of rows of a plan.
@@ -183,7 +173,7 @@ StabilitySummary run_stability(const StabilityPlan& plan,
 
 /// Runs the plan and writes its rows into the store, with the seconds of each family.
 StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
-                                 const std::function<void(const StabilityRow&)>& on_row,
+                                 const std::function<void(const store::StoredCell&)>& on_row,
                                  const std::atomic<bool>& stop);
 
 /// Keeps only the shard's families; returns false if it has none. `seconds`: as for sweep::keep_shard.

@@ -42,14 +42,14 @@ StabilityPlan stability_plan(const sweep::SweepWork& work) {
 bool run_stability_study(const sweep::SweepWork& work, store::Store& store, const sweep::OnStudyRow& on_row,
                          const std::atomic<bool>& stop) {
     StabilityPlan plan = stability_plan(work);
-    plan.stored = [&store,
-                   build = bench::this_build().id](const std::string& hash) -> std::optional<StabilityRow> {
+    plan.stored = [&store, build = bench::this_build().id](
+                      const std::string& hash) -> std::optional<store::StoredCell> {
         auto row = store.find_cell(build, hash);
         if (!row) return std::nullopt;
-        return StabilityRow{*std::move(row), store.figures(build, hash)};
+        return store::StoredCell{*std::move(row), store.figures(build, hash)};
     };
-    const auto notify = [&](const StabilityRow& row) {
-        on_row(row.cell.shape + " " + row.cell.table, row.cell.status);
+    const auto notify = [&](const store::StoredCell& row) {
+        on_row(row.shape + " " + row.table, row.status);
     };
     return !store_stability(plan, store, notify, stop).stopped;
 }
@@ -57,7 +57,7 @@ bool run_stability_study(const sweep::SweepWork& work, store::Store& store, cons
 }  // namespace
 
 StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
-                                 const std::function<void(const StabilityRow&)>& on_row,
+                                 const std::function<void(const store::StoredCell&)>& on_row,
                                  const std::atomic<bool>& stop) {
     const store::BuildRow build = bench::this_build();
     store.put_build(build);
@@ -65,9 +65,9 @@ StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
     store.set_meta("seed", std::to_string(plan.seed));
     std::map<std::string, double> seconds;
     measure::Stopwatch watch;
-    const auto put = [&](const StabilityRow& row) {
-        store.put_cell(build.id, row.cell, row.figures);
-        seconds[row.cell.shape] += watch.elapsed_ns() * 1e-9;
+    const auto put = [&](const store::StoredCell& row) {
+        store.put_cell(build.id, row, row.figures);
+        seconds[row.shape] += watch.elapsed_ns() * 1e-9;
         watch.restart();
         on_row(row);
     };

@@ -18,11 +18,6 @@ measure::Figure at_quantile(const store::FigureName& name, const std::vector<dou
     return store::figure(name, value, sample.empty() ? none : "an error is not a number");
 }
 
-measure::Figure worst(const store::FigureName& name, const std::vector<double>& sample,
-                      const std::string& none) {
-    return at_quantile(name, sample, 1, none);
-}
-
 }  // namespace
 
 StabilityTally::StabilityTally() {
@@ -101,18 +96,18 @@ void StabilityTally::add_refusal(std::size_t poses, const std::string& reason) {
 }
 
 void StabilityTally::add_time(const std::string& bin, std::optional<double> ns, const std::string& none) {
-    times_.push_back({bin, ns, none});
+    times_.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns, none));
 }
 
 std::vector<measure::Figure> StabilityTally::figures() const {
     const std::uint64_t asked = counted("stability.cases");
     const std::string none = asked > 0 ? "not asked for" : "every case was refused: " + first_refusal_;
     std::vector<measure::Figure> result = {
-        worst("stability.worst_error", errors_, none),
+        at_quantile("stability.worst_error", errors_, 1, none),
         at_quantile("stability.p999_error", errors_, 0.999, none),
-        worst("stability.worst_witness_error", witness_errors_, none),
-        worst("stability.worst_depth_error", depth_errors_, none),
-        worst("stability.worst_certificate_width", widths_, none),
+        at_quantile("stability.worst_witness_error", witness_errors_, 1, none),
+        at_quantile("stability.worst_depth_error", depth_errors_, 1, none),
+        at_quantile("stability.worst_certificate_width", widths_, 1, none),
         store::mean_figure("stability.mean_steps", steps_, std::max<std::uint64_t>(asked, 1)),
         store::figure("stability.max_steps", max_steps_)};
     for (const auto& [info, number] : counts_)
@@ -122,8 +117,7 @@ std::vector<measure::Figure> StabilityTally::figures() const {
                                            .of(fmt::format("{:.0e}", stability_tolerances[i])),
                                        failures_[i]));
     }
-    for (const auto& [bin, ns, reason] : times_)
-        result.push_back(store::figure(store::FigureName("stability.ns_at_{gap}").of(bin), ns, reason));
+    result.insert(result.end(), times_.begin(), times_.end());
     return result;
 }
 

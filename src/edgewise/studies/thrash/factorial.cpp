@@ -104,10 +104,6 @@ class TracedScenes {
     std::vector<MemoryDemand> demands_;
 };
 
-const bench::TableType& type_called(const std::string& name) {
-    return *bench::select_table_types(std::vector<std::string>{name}).front();
-}
-
 bench::Sharing sharing_of(bool shared) {
     return shared ? bench::Sharing::shared : bench::Sharing::per_instance;
 }
@@ -126,45 +122,34 @@ void trace_all(const Levels& levels, const MemorySizes& sizes, TracedScenes& sce
         const double angle = speeds[key.speed] * levels.time_steps[key.time_step];
         const scene::Workload workload = workload_of({shapes[key.shape], levels.bodies[key.bodies], angle,
                                                       0.02, levels.steps, levels.seed_of(key.speed)});
-        scenes.at(key) =
-            checked(trace_demand(type_called(levels.tables[key.table]), algorithms[key.algorithm], workload,
-                                 sharing_of(levels.shared[key.shared]), sizes, levels.filling));
+        scenes.at(key) = checked(trace_demand(bench::table_type_called(levels.tables[key.table]),
+                                              algorithms[key.algorithm], workload,
+                                              sharing_of(levels.shared[key.shared]), sizes, levels.filling));
         const std::lock_guard lock(notified);
         on_trace();
     });
 }
 
-/// A figure's demands, by algorithm.
-using FigureDemands = std::array<MemoryDemand, algorithms.size()>;
-
-FigureDemands demands_of(const CalibratedFigure& figure, double time_step, const Levels& levels,
-                         const MemorySizes& sizes) {
+/// The demand of GJK, which a figure draws above V-Clip's throughout: its top is GJK's.
+MemoryDemand demand_of(const CalibratedFigure& figure, double time_step, const Levels& levels,
+                       const MemorySizes& sizes) {
     const double way = std::min(most_way_in_dimensions, figure.m_per_s * time_step);
     const scene::Workload workload = workload_of(
         {figure.shape, calibrating_bodies, figure.rad_per_s * time_step, way, levels.steps, levels.seed});
-    FigureDemands demands;
-    for (std::size_t i = 0; i < algorithms.size(); ++i)
-        demands[i] = checked(trace_demand(type_called(levels.tables.front()), algorithms[i], workload,
-                                          bench::Sharing::per_instance, sizes, levels.filling));
-    return demands;
-}
-
-/// The top of a figure is GJK's there, which it draws above V-Clip's throughout.
-CalibrationPoint point_of(const CalibratedFigure& figure, const FigureDemands& demands,
-                          const OldMachine& machine, const MemorySizes& sizes) {
-    const MemoryDemand& gjk = demands.back();
-    return {figure.figure, figure.top_ns, gjk.reads, cache_ns(machine, sizes, gjk)};
+    return checked(trace_demand(bench::table_type_called(levels.tables.front()), "gjk", workload,
+                                bench::Sharing::per_instance, sizes, levels.filling));
 }
 
 void calibrate(const Levels& levels, const MemorySizes& sizes, Factorial& result) {
     for (const double time_step : levels.time_steps) {
-        std::vector<FigureDemands> demands;
+        std::vector<MemoryDemand> demands;
         for (const CalibratedFigure& figure : calibrated)
-            demands.push_back(demands_of(figure, time_step, levels, sizes));
+            demands.push_back(demand_of(figure, time_step, levels, sizes));
         for (std::size_t machine = 0; machine < result.machines.size(); ++machine) {
             Calibration found{machine, time_step, 0, {}};
             for (std::size_t i = 0; i < demands.size(); ++i)
-                found.points.push_back(point_of(calibrated[i], demands[i], result.machines[machine], sizes));
+                found.points.push_back({calibrated[i].figure, calibrated[i].top_ns, demands[i].reads,
+                                        cache_ns(result.machines[machine], sizes, demands[i])});
             found.ns_per_read = ns_per_read(found.points);
             result.calibrations.push_back(std::move(found));
         }
@@ -175,7 +160,7 @@ void calibrate(const Levels& levels, const MemorySizes& sizes, Factorial& result
 void measure_builds(const Levels& levels, Factorial& result) {
     constexpr int repetitions = 21;
     constexpr double angle = 1.0 / 60;
-    const bench::TableType& type = type_called(levels.tables.front());
+    const bench::TableType& type = bench::table_type_called(levels.tables.front());
     for (const char* shape : shapes) {
         const scene::Workload workload = workload_of({shape, 100, angle, 0.02, levels.steps, levels.seed});
         for (const char* algorithm : algorithms) {

@@ -194,6 +194,8 @@ struct Setting {
     std::uint64_t memory_bytes = 0;
     double fault_ns = 0;
     std::size_t machine = 0;  ///< of old_machines()
+
+    [[nodiscard]] bool operator==(const Setting&) const = default;
 };
 
 struct Outcome {

@@ -86,7 +86,7 @@ class PointRun {
         const PredictedFaults before = faults_of(used_, 0, first, filled);
         const std::size_t last = end_within(used_, first, end, filled, budget_ns / wait_ns);
         const PredictedFaults counted = faults_of(used_, first, last, filled);
-        const Passes plain = passes(first, last);
+        const Passes plain = passes(first, last, [] {});
         auto pager = measure::FaultPager::make(const_cast<std::byte*>(runner_.table_allocator().base()),
                                                runner_.table_allocator().taken(), memory_);
         if (!pager.value) return pager.refusal();
@@ -131,9 +131,6 @@ class PointRun {
         result.counted_ns = counted.elapsed_ns();
         return result;
     }
-    [[nodiscard]] Passes passes(std::size_t first, std::size_t last) const {
-        return passes(first, last, [] {});
-    }
 
     const bench::Runner& runner_;
     const PagesUsed& used_;
@@ -147,8 +144,7 @@ measure::Expected<RealisedPoint> realise_point(const Setting& setting, const Lev
     const scene::Workload workload =
         workload_of({curve.shape, setting.bodies, speeds[speed] * setting.time_step, 0.02, levels.steps,
                      levels.seed_of(speed)});
-    const bench::TableType& type =
-        *bench::select_table_types(std::vector<std::string>{setting.table}).front();
+    const bench::TableType& type = bench::table_type_called(setting.table);
     const auto runner = type.make_runner(curve.algorithm);
     const bench::Sharing sharing = setting.shared ? bench::Sharing::shared : bench::Sharing::per_instance;
     runner->configure({.tables = {VertexOrder::given, sharing, bench::AllocatorKind::memfd}});

@@ -20,17 +20,8 @@ namespace {
 constexpr const char* thrash_run = "thrash";
 constexpr const char* large_shape = "sphere386";
 
-bool same_row(const Setting& a, const Setting& b) {
-    return a.mechanism == b.mechanism && a.intensity == b.intensity && a.table == b.table &&
-           a.shared == b.shared && a.time_step == b.time_step && a.machine == b.machine;
-}
-
-std::string mechanism_of(const Setting& setting) {
-    return std::string(mechanism_names[static_cast<std::size_t>(setting.mechanism)]);
-}
-
 nlohmann::json parameters_of(const Setting& setting, const std::vector<OldMachine>& machines) {
-    return {{"mechanism", mechanism_of(setting)},
+    return {{"mechanism", mechanism_names[static_cast<std::size_t>(setting.mechanism)]},
             {"intensity", setting.intensity},
             {"own_tables", setting.shared ? 0 : 1},
             {"time_step", setting.time_step},
@@ -40,7 +31,7 @@ nlohmann::json parameters_of(const Setting& setting, const std::vector<OldMachin
 store::CellRow row_of(const char* run, const nlohmann::json& parameters, const std::string& shape,
                       const std::string& algorithm, const std::string& table, const Levels& levels) {
     const Polyhedron body = scene::make_shape(shape).or_throw();
-    const bench::TableType& type = *bench::select_table_types(std::vector<std::string>{table}).front();
+    const bench::TableType& type = bench::table_type_called(table);
     store::CellRow row;
     row.run = row.scene = run;
     row.scene_parameters = parameters.dump();
@@ -58,58 +49,55 @@ std::string setting_text(const Setting& setting) {
     return fmt::format("{}_{}MiB_{:.0f}ns", setting.bodies, setting.memory_bytes >> 20, setting.fault_ns);
 }
 
-class FigureList {
-  public:
-    void add(const store::FigureName& name, double value) {
-        rows_.push_back({store::figure(name, value), "thrash"});
-    }
-    [[nodiscard]] const std::vector<store::FigureRow>& rows() const { return rows_; }
+using Figures = std::vector<store::FigureRow>;
 
-  private:
-    std::vector<store::FigureRow> rows_;
-};
-
-void add_best(const Outcome& best, FigureList& figures) {
-    figures.add("thrash.best_facts", best.score.count());
-    figures.add("thrash.best.bodies", static_cast<double>(best.setting.bodies));
-    figures.add("thrash.best.memory_bytes", static_cast<double>(best.setting.memory_bytes));
-    figures.add("thrash.best.fault_ns", best.setting.fault_ns);
-    figures.add("thrash.best.rise", best.score.rise);
-    figures.add("thrash.best.top_us", best.score.top_ns / 1000);
-    figures.add("thrash.best.gjk_rise", best.score.gjk_rise);
-    figures.add("thrash.best.fall", best.score.fall);
+void add_figure(Figures& to, const store::FigureName& name, double value) {
+    to.push_back({store::figure(name, value), "thrash"});
 }
 
-std::vector<store::FigureRow> figures_of(const OutcomeGroup& group, const Factorial& factorial) {
-    FigureList figures;
-    figures.add("thrash.settings", static_cast<double>(group.outcomes.size()));
+void add_best(const Outcome& best, Figures& figures) {
+    add_figure(figures, "thrash.best_facts", best.score.count());
+    add_figure(figures, "thrash.best.bodies", static_cast<double>(best.setting.bodies));
+    add_figure(figures, "thrash.best.memory_bytes", static_cast<double>(best.setting.memory_bytes));
+    add_figure(figures, "thrash.best.fault_ns", best.setting.fault_ns);
+    add_figure(figures, "thrash.best.rise", best.score.rise);
+    add_figure(figures, "thrash.best.top_us", best.score.top_ns / 1000);
+    add_figure(figures, "thrash.best.gjk_rise", best.score.gjk_rise);
+    add_figure(figures, "thrash.best.fall", best.score.fall);
+}
+
+Figures figures_of(const OutcomeGroup& group, const Factorial& factorial) {
+    Figures figures;
+    add_figure(figures, "thrash.settings", static_cast<double>(group.outcomes.size()));
     for (std::size_t i = 0; i < fact_names.size(); ++i)
-        figures.add(store::FigureName("thrash.settings_with.{fact}").of(fact_names[i]),
-                    static_cast<double>(group.with(static_cast<Fact>(i))));
-    figures.add("thrash.settings_with_all", static_cast<double>(group.with_all()));
+        add_figure(figures, store::FigureName("thrash.settings_with.{fact}").of(fact_names[i]),
+                   static_cast<double>(group.with(static_cast<Fact>(i))));
+    add_figure(figures, "thrash.settings_with_all", static_cast<double>(group.with_all()));
     add_best(group.best(), figures);
     for (const Calibration& calibration : factorial.calibrations) {
         if (calibration.machine != group.setting.machine || calibration.time_step != group.setting.time_step)
             continue;
-        figures.add("thrash.ns_per_read", calibration.ns_per_read);
+        add_figure(figures, "thrash.ns_per_read", calibration.ns_per_read);
         for (const CalibrationPoint& point : calibration.points)
-            figures.add(store::FigureName("thrash.calibrated.{figure}").of(std::to_string(point.figure)),
-                        point.model_ns(calibration.ns_per_read) / point.top_ns);
+            add_figure(figures,
+                       store::FigureName("thrash.calibrated.{figure}").of(std::to_string(point.figure)),
+                       point.model_ns(calibration.ns_per_read) / point.top_ns);
     }
     // The picture of the region is that of the first machine.
     if (group.setting.machine == 0)
         for (const Outcome* outcome : group.outcomes)
-            figures.add(store::FigureName("thrash.facts.{setting}").of(setting_text(outcome->setting)),
-                        outcome->score.mask());
-    return figures.rows();
+            add_figure(figures,
+                       store::FigureName("thrash.facts.{setting}").of(setting_text(outcome->setting)),
+                       outcome->score.mask());
+    return figures;
 }
 
-std::vector<store::FigureRow> figures_of(const RealisedCurve& curve) {
-    FigureList figures;
+Figures figures_of(const RealisedCurve& curve) {
+    Figures figures;
     for (const RealisedPoint& point : curve.points) {
         const std::string speed = fmt::format("{:g}", point.speed);
         const auto add = [&](const store::FigureName& name, double value) {
-            figures.add(name.of(speed), value);
+            add_figure(figures, name.of(speed), value);
         };
         add("thrash.predicted_us.{speed}", point.predicted_ns / 1000);
         add("thrash.measured_us.{speed}", point.measured_ns / 1000);
@@ -119,7 +107,7 @@ std::vector<store::FigureRow> figures_of(const RealisedCurve& curve) {
         add("thrash.measured_faults.{speed}", point.faults);
         add("thrash.queries.{speed}", static_cast<double>(point.queries));
     }
-    return figures.rows();
+    return figures;
 }
 
 void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& factorial,
@@ -129,8 +117,8 @@ void store_cell(const RealisedCell& cell, std::size_t number, const Factorial& f
     parameters["bodies"] = cell.setting.bodies;
     parameters["memory_mib"] = cell.setting.memory_bytes >> 20;
     parameters["fault_us"] = cell.setting.fault_ns / 1000;
-    const auto put = [&](const std::string& shape, const std::string& algorithm,
-                         const std::vector<store::FigureRow>& figures, bool right) {
+    const auto put = [&](const std::string& shape, const std::string& algorithm, const Figures& figures,
+                         bool right) {
         store::CellRow row =
             row_of("thrash_realised", parameters, shape, algorithm, cell.setting.table, levels);
         if (!cell.reason.empty()) row.status = store::CellStatus::unavailable, row.reason = cell.reason;
@@ -173,17 +161,12 @@ const Outcome& OutcomeGroup::best() const {
 std::vector<OutcomeGroup> groups_of(const Factorial& factorial) {
     std::vector<OutcomeGroup> groups;
     for (const Outcome& outcome : factorial.outcomes) {
-        const auto is_its = [&](const OutcomeGroup& group) {
-            return same_row(group.setting, outcome.setting);
-        };
-        auto group = std::find_if(groups.begin(), groups.end(), is_its);
-        if (group == groups.end()) {
-            Setting setting = outcome.setting;
-            setting.bodies = 0;
-            setting.memory_bytes = 0;
-            setting.fault_ns = 0;
-            group = groups.insert(groups.end(), {setting, {}});
-        }
+        Setting setting = outcome.setting;
+        setting.bodies = 0;
+        setting.memory_bytes = 0;
+        setting.fault_ns = 0;
+        auto group = std::ranges::find(groups, setting, &OutcomeGroup::setting);
+        if (group == groups.end()) group = groups.insert(groups.end(), {setting, {}});
         group->outcomes.push_back(&outcome);
     }
     return groups;
@@ -198,13 +181,7 @@ Levels levels_of(const sweep::SweepWork& work) {
 }
 
 /// Returns true if this program has the table types of the levels.
-bool has_tables(const Levels& levels) {
-    const auto types = bench::table_types();
-    return std::all_of(levels.tables.begin(), levels.tables.end(), [&](const std::string& table) {
-        return std::any_of(types.begin(), types.end(),
-                           [&](const bench::TableType& type) { return type.name == table; });
-    });
-}
+bool has_tables(const Levels& levels) { return std::ranges::all_of(levels.tables, bench::find_table_type); }
 
 /// Returns the number of scenes to trace and of cells to make real.
 std::size_t rows(const sweep::SweepWork& work) {

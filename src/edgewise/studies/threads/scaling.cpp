@@ -59,9 +59,8 @@ namespace {
 
 /// What one number of threads took, by round.
 struct RoundTimes {
-    std::vector<double> shared_ns;   ///< of a pass
-    std::vector<double> apart_ns;    ///< median of the threads' own
-    std::vector<double> apart_rate;  ///< queries per second of all threads
+    std::vector<double> shared_rate, apart_rate;  ///< queries per second of all threads
+    std::vector<double> apart_ns;                 ///< median of the threads' own, of a pass
 };
 
 bench::RunnerOptions runner_options(const CellChoice& choice) {
@@ -121,7 +120,7 @@ class ScalingRun {
     }
 
     [[nodiscard]] Scaling take() {
-        const bool nothing = is_wrong() || times_.front().shared_ns.empty();
+        const bool nothing = is_wrong() || times_.front().shared_rate.empty();
         for (std::size_t i = 0; i < plan_.threads.size() && !nothing; ++i) found_.rows.push_back(row(i));
         return found_;
     }
@@ -140,22 +139,15 @@ class ScalingRun {
             ns.push_back(pass.ns);
             rate += pass_of_seconds / pass.ns;
         }
-        times.shared_ns.push_back(together.ns);
+        times.shared_rate.push_back(pass_of_seconds / together.ns);
         times.apart_ns.push_back(middle(ns));
         times.apart_rate.push_back(rate);
-    }
-
-    [[nodiscard]] std::vector<double> shared_rates(std::size_t i) const {
-        std::vector<double> rates;
-        for (const double ns : times_[i].shared_ns)
-            rates.push_back(static_cast<double>(found_.queries) * 1e9 / ns);
-        return rates;
     }
 
     /// The plan's first number of threads is one.
     [[nodiscard]] ScalingRow row(std::size_t i) const {
         const int threads = plan_.threads[i];
-        return {threads, way_of(threads, shared_rates(i), shared_rates(0)),
+        return {threads, way_of(threads, times_[i].shared_rate, times_[0].shared_rate),
                 way_of(threads, times_[i].apart_rate, times_[0].apart_rate),
                 middle(measure::paired_ratios(times_[i].apart_ns, times_[0].apart_ns))};
     }

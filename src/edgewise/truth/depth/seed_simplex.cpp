@@ -50,11 +50,6 @@ class RoundedDifference {
     double scale_b_ = 1;
 };
 
-bool holds(const MinimumSimplex<Vec3d>& simplex, VertexPair pair) {
-    const auto end = simplex.pair.begin() + simplex.size;
-    return std::find(simplex.pair.begin(), end, pair) != end;
-}
-
 double squared_distance(const MinimumSimplex<Vec3d>& simplex) {
     return simplex.height * simplex.height / squared_norm(simplex.direction);
 }
@@ -63,7 +58,9 @@ void descend(const RoundedDifference& difference, MinimumSimplex<Vec3d>& simplex
     for (int i = 0; i < iteration_limit && simplex.size < 4 && simplex.height > 0; ++i) {
         const VertexPair pair = difference.lowest(simplex.direction);
         const Vec3d point = difference.point(pair);
-        if (holds(simplex, pair) || !(dot(simplex.direction, point) < simplex.height)) return;
+        const auto end = simplex.pair.begin() + simplex.size;
+        if (std::find(simplex.pair.begin(), end, pair) != end) return;
+        if (!(dot(simplex.direction, point) < simplex.height)) return;
         MinimumSimplex<Vec3d> next = simplex;
         if (!add_point(next, point, pair)) return;
         if (next.size < 4 && !(squared_distance(next) < squared_distance(simplex))) return;
@@ -74,9 +71,7 @@ void descend(const RoundedDifference& difference, MinimumSimplex<Vec3d>& simplex
 }  // namespace
 
 SimplexSeed seed_simplex(ExactPair& bodies, const SimplexSeed& start) {
-    SimplexSeed seed;
-    seed.size = 1;
-    if (!bodies.a.filter().usable() || !bodies.b.filter().usable()) return seed;
+    if (!bodies.a.filter().usable() || !bodies.b.filter().usable()) return {{}, 1};
     const RoundedDifference difference(bodies);
     MinimumSimplex<Vec3d> simplex;
     for (int i = 0; i < start.size; ++i) {
@@ -88,9 +83,7 @@ SimplexSeed seed_simplex(ExactPair& bodies, const SimplexSeed& start) {
     }
     if (simplex.size == 0) static_cast<void>(add_point(simplex, difference.point({0, 0}), VertexPair{0, 0}));
     descend(difference, simplex);
-    seed.size = simplex.size;
-    seed.pair = simplex.pair;
-    return seed;
+    return {simplex.pair, simplex.size};
 }
 
 }  // namespace edgewise::truth

@@ -260,7 +260,7 @@ TEST(Prediction, IsNoneWithoutLatenciesOrTheTimeInCache) {
 ScreenedCell looked_at(const std::string& table, double ns, double bytes = 10,
                        DroppedFor dropped_for = DroppedFor::nothing, double error = 0) {
     ScreenedCell cell;
-    cell.type = bench::select_table_types(std::vector{table}).front();
+    cell.type = &bench::table_type_called(table);
     cell.algorithm = "vclip";
     cell.ns = ns;
     cell.bytes_per_edge = bytes;
