@@ -174,6 +174,14 @@ bool add_if_file(const SceneChoice& choice, SweepWork& work,
     return true;
 }
 
+/// Libraries are asked for distances, verdicts alone, and of rounded bodies, which takes their distances.
+bool is_asked(const bench::TableType& peer, Axes axes) {
+    if (peer.verdict_only && axes.rounds()) return false;
+    axes.radius = 0;
+    axes.recorded_radii = false;
+    return axes.text().empty() || axes.text() == "needs=verdict";
+}
+
 }  // namespace
 
 bool SceneWork::models_caches(const scene::NamedShape& shape) const {
@@ -213,7 +221,7 @@ void SweepWork::each_cell(const SceneWork& scene,
     }
     for (const bench::TableType* peer : peers)
         for (const Axes& axes : scene.axes)
-            if (&axes == &scene.axes.front() || axes.text() == "needs=verdict")
+            if (&axes == &scene.axes.front() || is_asked(*peer, axes))
                 use(*peer, peer->algorithms.front(), axes);
 }
 
