@@ -15,7 +15,7 @@
 namespace edgewise {
 namespace {
 
-/// What vertices are sorted by: fewest neighbours, then the index.
+/// Returns the key that sorts vertices: fewest neighbours first, then by index.
 auto degree_in(const Polyhedron& body) {
     return [&body](Index v) { return std::pair(body.ring_of_vertex(v).size(), v); };
 }

@@ -166,11 +166,6 @@ std::optional<CellRow> find_cell(const sqlite::Database& database, const std::st
     return row_of(select.bind(build, hash), read_cell);
 }
 
-std::vector<CellRow> cells_of(const sqlite::Database& database, const std::string& build) {
-    sqlite::Statement select(database, select_cells() + "order by hash");
-    return rows_of(select.bind(build), read_cell);
-}
-
 std::vector<FigureRow> figures_of(const sqlite::Database& database, const std::string& build,
                                   const std::string& hash) {
     sqlite::Statement select(database,
@@ -208,7 +203,8 @@ StoredBuild read_build(const std::string& store, const std::string& id, const On
     sqlite::Statement others(database, "select id from build where id <> ? order by id");
     others.bind(wanted);
     while (others.step()) read.other_builds.push_back(others.text(0));
-    std::vector<CellRow> rows = cells_of(database, wanted);
+    sqlite::Statement select(database, select_cells() + "order by hash");
+    std::vector<CellRow> rows = rows_of(select.bind(wanted), read_cell);
     for (CellRow& row : rows) {
         StoredCell& cell = read.cells.emplace_back(StoredCell{std::move(row)});
         cell.figures = figures_of(database, wanted, cell.hash);

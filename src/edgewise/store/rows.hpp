@@ -97,8 +97,6 @@ void take_runs_from_old_names(const sqlite::Database& database);
 [[nodiscard]] std::optional<BuildRow> find_build(const sqlite::Database& database, const std::string& id);
 [[nodiscard]] std::optional<CellRow> find_cell(const sqlite::Database& database, const std::string& build,
                                                const std::string& hash);
-/// Cells of a build, by hash.
-[[nodiscard]] std::vector<CellRow> cells_of(const sqlite::Database& database, const std::string& build);
 /// Figures of one cell, by probe, then by name.
 [[nodiscard]] std::vector<FigureRow> figures_of(const sqlite::Database& database, const std::string& build,
                                                 const std::string& hash);

@@ -105,7 +105,7 @@ void check_margin(const Axes& axes, std::string_view text) {
     if (asked && axes.batch) refuse(text, needs + " asks one pair at a time: leave batch out");
 }
 
-/// Refuses a radius where more is asked than a query of cores tells, or asked in another way.
+/// Refuses a radius with needs, tolerances and batches that cells of rounded bodies do not support.
 void check_radius(const Axes& axes, std::string_view text) {
     if (!axes.rounds()) return;
     if (has_margin(axes.needs) || axes.needs > Needs::witnesses)

@@ -309,7 +309,7 @@ void CellRun::verify(SharedQueries& shared) {
     if (cell_.type().is_peer && has_margin(axes_.needs))
         return make_unavailable("other libraries are not asked about a margin");
     if (cell_.type().verdict_only && axes_.rounds())
-        return make_unavailable("a library that gives no distances tells nothing of bodies with a radius");
+        return make_unavailable("bodies with a radius need distances, which this library does not give");
     if (const std::string error = cell_.load(workload); !error.empty()) return make_unavailable(error);
     shared_ = &shared;
     row_.queries = workload.queries.size();  // more than the plan's number if the scene needs more steps

@@ -30,7 +30,7 @@ struct QueryKind {
 class RunnerAsker final : public Asker {
   public:
     RunnerAsker(const bench::TableType& type, const std::string& algorithm, const QueryKind& kind)
-        : runner_(type.make_runner(algorithm)) {
+        : runner_(type.make_runner(algorithm)), has_margin_(kind.rounded || has_margin(kind.needs)) {
         bench::RunnerOptions options{.query = {.sub_distance = kind.sub_distance}};
         if (kind.rounded) options.radius = bench::usual_margin / 2;
         options.set_needs(kind.needs);
@@ -39,18 +39,19 @@ class RunnerAsker final : public Asker {
 
     [[nodiscard]] std::string load(const scene::Workload& workload) override {
         std::string error = runner_->load(workload);
-        margin_ = error.empty() ? runner_->margin(workload.queries.front()) : 0;
+        if (error.empty() && has_margin_) margin_ = runner_->margin(workload.queries.front());
         return error;
     }
     [[nodiscard]] std::vector<Distance> answer() override { return runner_->answer(); }
     [[nodiscard]] std::span<const Polyhedron> stored_bodies() const override {
         return runner_->stored_bodies();
     }
-    [[nodiscard]] double margin() const override { return margin_; }
+    [[nodiscard]] std::optional<double> margin() const override { return margin_; }
 
   private:
     std::unique_ptr<bench::Runner> runner_;
-    double margin_ = 0;
+    bool has_margin_;
+    std::optional<double> margin_;
 };
 
 void add(bench::Fingerprint& print, const Vec3d& v) { print.add(v.x()).add(v.y()).add(v.z()); }
@@ -138,18 +139,18 @@ std::vector<Cell> one_of_each_class(std::vector<Cell> cells) {
     return result;
 }
 
-truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, double margin,
+truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, std::optional<double> margin,
                                   const truth::StoredPair& stored, const truth::PosesOfPair& poses,
                                   truth::ProvenPair& known) {
     const truth::AccuracyBand band = stored.band(known, cell.eps);
     truth::Claim claim = scene::claim_of(answer, cell.verdict_only);
     if (cell.verdict_only) claim.distance = 0;  // a bound, which may be any
-    if (margin > 0) {
-        const bool nearer = !claim.separated || (!cell.rounded && !(claim.distance >= margin));
-        const auto verdict = check_nearness(nearer, margin, band, stored, poses, known);
+    if (margin) {
+        const bool nearer = !claim.separated || (!cell.rounded && !(claim.distance >= *margin));
+        const auto verdict = check_nearness(nearer, *margin, band, stored, poses, known);
         // Rounded bodies that overlap, and bodies beyond the margin, have no distance.
         if (verdict.wrong() || nearer == cell.rounded) return verdict;
-        if (cell.rounded) claim.distance += margin;
+        if (cell.rounded) claim.distance += *margin;
     }
     return truth::check(claim, stored, poses, known, band, {cell.error_allowed});
 }

@@ -42,8 +42,9 @@ class Asker {
     /// Answers every query of the workload: from cold, or warm where the workload says so.
     [[nodiscard]] virtual std::vector<Distance> answer() = 0;
     [[nodiscard]] virtual std::span<const Polyhedron> stored_bodies() const = 0;
-    /// Sum of the loaded bodies' radii, or the margin within which their distance is asked; 0: neither.
-    [[nodiscard]] virtual double margin() const { return 0; }
+    /// Sum of the loaded bodies' radii, or the margin within which their distance is asked; empty:
+    /// neither. It may be 0, of two points.
+    [[nodiscard]] virtual std::optional<double> margin() const { return std::nullopt; }
 };
 
 struct Cell {
@@ -64,8 +65,8 @@ struct Cell {
 [[nodiscard]] std::vector<Cell> one_of_each_class(std::vector<Cell> cells);
 
 /// Checks an answer against the exact one. `margin`: Asker::margin.
-[[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell, double margin,
-                                                const truth::StoredPair& stored,
+[[nodiscard]] truth::CheckedAnswer check_answer(const Distance& answer, const Cell& cell,
+                                                std::optional<double> margin, const truth::StoredPair& stored,
                                                 const truth::PosesOfPair& poses, truth::ProvenPair& known);
 
 /// Returns what is wrong with the answer; empty if it is right.

@@ -187,7 +187,7 @@ TEST(Campaign, FindsWrongVerdictsOfACellWithoutDistances) {
     far.distance = 1e3;
     const auto wrong = [&](const Cell& cell, const std::pair<Pose, Pose>& poses) {
         truth::ProvenPair known = stored.know(poses, Vec3d::UnitX());
-        return what_is_wrong(check_answer(far, cell, 0, stored, poses, known), far, stored, poses, known);
+        return what_is_wrong(check_answer(far, cell, {}, stored, poses, known), far, stored, poses, known);
     };
     Pose beside;
     beside.translation = Vec3d(9, 0, 0);
@@ -224,6 +224,7 @@ TEST(Campaign, FindsWrongAnswersAboutAMargin) {
     EXPECT_FALSE(is_right(false, 2.5, Status::separated, 2.5)) << "said to be beyond";
     EXPECT_TRUE(is_right(false, 1.5, Status::separated, 1.5));
     EXPECT_FALSE(is_right(false, 1.5, Status::touching, 0));
+    EXPECT_TRUE(is_right(false, 0, Status::separated, 0)) << "within no distance, as of two points: beyond";
 }
 
 TEST(Campaign, GoesOnFromItsFileWithTheSameSums) {
