@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN, PROGRAM: installs the package, moves it, checks that
-# it has no forbidden words, and builds README's example, the installed one and one with threads (without machine tuning
-# and outside flags). It compares their output with README. Then it builds the layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with
-# the differences if a member is added.
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN, PROGRAM, WITH_EXAMPLES: installs the package, moves
+# it, checks that it has no forbidden words, and builds README's example and, if asked, the installed ones (without machine
+# tuning and outside flags). It compares their output with README. Then it builds the layout lock of a user's structure, with
+# edgewise::measure alone: it must pass with the unchanged structure, and fail with the differences if a member is added.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -81,11 +81,17 @@ function(check_recorder NAME FOLDER SCENE)
     message("${NAME}.cpp, built with the installed package, records ${SCENE}")
 endfunction()
 
-# Builds all programs with one compiler, and compares their output.
+# Builds the programs with one compiler, and compares their output.
 function(check_consumer COMPILER FOLDER)
+    if(NOT WITH_EXAMPLES)
+        set(examples)
+    endif()
     build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp
         -D EXAMPLES=${examples})
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
+    if(NOT WITH_EXAMPLES)
+        return()
+    endif()
     set(built ${FOLDER}/examples)
     expect_output("own_shape.cpp" ${built}/own_shape
         "separated 2 along 1 0 0;separated 0.5 along 1 0 0;overlapping 0.25 along 1 0 0")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Every header compiles alone, and twice. One unit a header, built by the test: those that changed since the revision at
-# which this test last passed here, or in the last commits of a fresh clone, and those that include them. With
-# EDGEWISE_FULL_TESTS all of them. Headers that include Eigen have it precompiled.
+# which this test last passed here, or in the last commits of a fresh clone, and those that include one with other
+# includes. With EDGEWISE_FULL_TESTS all of them. Headers that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 # Adapters need the libraries that they adapt; their modules compile them.

@@ -118,11 +118,14 @@ class GjkRun : GjkStart<TableA, TableB> {
     /// The run of a cold pair from where a search in singles ended.
     [[nodiscard]] Distance run_from(const SingleSearchEnd& end, Pair& pair) {
         if (Distance found; answer_from(end, pair, found)) return found;
-        return iterate(pair, NoObserver());
+        return iterate_apart(pair);
     }
 
   private:
     using Base::a_, Base::a_from_b_, Base::b_, Base::is_cold_, Base::sub_;
+
+    /// Not inlined: it is rare that a search's end is not proven.
+    [[nodiscard]] [[gnu::noinline]] Distance iterate_apart(Pair& pair) { return iterate(pair, NoObserver()); }
 
     template <class Observer>
     [[nodiscard]] Distance iterate(Pair& pair, Observer&& observer) {

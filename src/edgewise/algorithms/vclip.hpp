@@ -105,7 +105,8 @@ template <class TableA, class TableB, class Observer>
     const bool is_cycle = end == End::cycled;
     const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
     if (verdict == Trust::sound) return result;
-    const bool are_closest = answer_by_corners(a, b, result);
+    const bool are_closest =
+        is_traced<TableA> ? answer_by_corners(a, b, result) : answer_by_corners_inlined(a, b, result);
     if (!are_closest) {
         observer.ask_gjk();
         result = answer_by_gjk(a, b);
