@@ -26,9 +26,8 @@ class Additions : public testing::Test {
             "scratch": 3})");
     }
     [[nodiscard]] Outcome sweep(const Arguments& more) const {
-        Arguments arguments = {"sweep", "--plan", "plan.json", "--json"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return Process(crooked_program_path, arguments, folder_).wait();
+        return Process(crooked_program_path, with({"sweep", "--plan", "plan.json", "--json"}, more), folder_)
+            .wait();
     }
     [[nodiscard]] std::vector<std::string> numbers_in(const std::string& store) const {
         return rows_of(folder_ / store, "select shape from cell where run = 'scratch' order by shape");

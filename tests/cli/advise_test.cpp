@@ -9,9 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "cli_paths.hpp"
@@ -25,11 +23,8 @@ using testing::HasSubstr;
 
 const Arguments enough_time = {"--time", "600"};
 
-Arguments few_cubes(Arguments more) {
-    Arguments arguments = {"advise", "--shape", "cube8", "--bodies", "3", "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    arguments.insert(arguments.end(), enough_time.begin(), enough_time.end());
-    return arguments;
+Arguments few_cubes(const Arguments& more) {
+    return with(with({"advise", "--shape", "cube8", "--bodies", "3", "--json"}, more), enough_time);
 }
 
 bool is_named(const json& cells, const json& cell) {
@@ -52,10 +47,8 @@ void expect_raced(const json& one, double error_limit, bool has_latencies) {
 
 /// Splits the command at blanks and gives it to the program, which reads it and does not run it.
 void expect_can_be_typed(const std::string& command, const Folder& folder) {
-    Arguments words = {"--parse-only"};
-    std::istringstream text(command.substr(std::string("edgewise ").size()));
-    for (std::string word; text >> word;) words.push_back(word);
-    EXPECT_EQ(run(words, folder).exit_code, 0) << command;
+    const std::string words = command.substr(std::string("edgewise ").size());
+    EXPECT_EQ(run(called("--parse-only", words_of(words)), folder).exit_code, 0) << command;
 }
 
 TEST(Advise, TakesNamesAndExplains) {
@@ -124,9 +117,7 @@ TEST(Advise, NamesFirstWhatItLeftOut) {
     const Folder folder;
     const Arguments command = {"advise",       "--shape", "sphere386", "--bodies",   "600",
                                "--own-tables", "--time",  "5",         "--machines", "l2=256K,zen5"};
-    Arguments in_json = command;
-    in_json.emplace_back("--json");
-    const json advice = json::parse(run(in_json, folder).out);
+    const json advice = json::parse(run(with(command, {"--json"}), folder).out);
     ASSERT_FALSE(advice["not_asked"].empty());
     std::size_t place = 0;
     for (const char* machine : {"l2_256K", "zen5"}) {
@@ -151,9 +142,8 @@ TEST(Advise, DropsAWrongCell) {
 
 TEST(Advise, LeavesNothingBehindAtCtrlC) {
     const Folder folder;
-    Arguments words = {"-c", "TMPDIR=$PWD exec \"$0\" \"$@\"", program_path};
-    std::ranges::copy(few_cubes({}), std::back_inserter(words));
-    Process process("/bin/sh", words, folder);
+    Process process("/bin/sh", with({"-c", "TMPDIR=$PWD exec \"$0\" \"$@\"", program_path}, few_cubes({})),
+                    folder);
     const auto works = [&] {
         return std::ranges::any_of(std::filesystem::directory_iterator(folder.path()),
                                    [](const auto& entry) { return entry.is_directory(); });
@@ -170,9 +160,8 @@ TEST(Advise, LeavesNothingBehindAtCtrlC) {
 TEST(Advise, AsksASceneFileAndRepeatsIt) {
     const Folder folder;
     folder.write("mine.json", R"({"scene": "static", "shapes": ["cube8"], "needs": "witnesses"})");
-    Arguments arguments = {"advise", "--scene", "mine.json", "--error", "1e-300"};
-    arguments.insert(arguments.end(), enough_time.begin(), enough_time.end());
-    const Outcome outcome = run(arguments, folder);
+    const Outcome outcome =
+        run(with({"advise", "--scene", "mine.json", "--error", "1e-300"}, enough_time), folder);
     EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("witnesses"));
     EXPECT_THAT(outcome.out, HasSubstr("nothing meets the error"));

@@ -15,37 +15,17 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-TEST(Caches, OfAnUnknownMachineAreOneLineOfComplaint) {
-    const Folder folder;
-    const Outcome unknown =
-        run({"sweep", "--scenes", "static", "--caches", "all", "--machines", "zen17"}, folder);
-    EXPECT_EQ(unknown.exit_code, 2);
-    EXPECT_THAT(unknown.err, testing::AllOf(HasSubstr("zen17"), HasSubstr("known:"), HasSubstr("zen5")));
-    folder.write("bad.json", "{}");
-    const Outcome bad =
-        run({"sweep", "--scenes", "static", "--caches", "all", "--machines", "bad.json"}, folder);
-    EXPECT_EQ(bad.exit_code, 2);
-    EXPECT_THAT(bad.err, HasSubstr("bad.json"));
-    const Outcome shape = run({"sweep", "--scenes", "static", "--caches", "blob"}, folder);
-    EXPECT_EQ(shape.exit_code, 2);
-    EXPECT_THAT(shape.err, HasSubstr("blob"));
-}
-
 TEST(Heat, SaysWhatWasTouched) {
     const Folder folder;
     const Arguments cell = {"draw",      "heat", "--shape",     "sphere38",
                             "--queries", "100",  "--parameter", "bodies=2"};
-    Arguments in_json = cell;
-    in_json.emplace_back("--json");
-    const json heat = json::parse(run(in_json, folder).out);
+    const json heat = json::parse(run(with(cell, {"--json"}), folder).out);
     EXPECT_EQ(heat["queries"], 100);
     const std::size_t vertices = heat["touched_of_first_table"]["vertices"].size();
     EXPECT_GT(vertices, 1U);
     EXPECT_NEAR(heat["touched_parts"]["vertices"].get<double>(), static_cast<double>(vertices) / 38, 1e-12);
     EXPECT_LE(heat["touched_bytes"], heat["table_bytes"]);
-    Arguments picture = cell;
-    picture.insert(picture.end(), {"--svg", "heat.svg"});
-    EXPECT_THAT(run(picture, folder).out, HasSubstr("voronoi_plane"));
+    EXPECT_THAT(run(with(cell, {"--svg", "heat.svg"}), folder).out, HasSubstr("voronoi_plane"));
     EXPECT_THAT(text_of(folder / "heat.svg"),
                 testing::AllOf(testing::StartsWith("<svg"), HasSubstr("</svg>")));
 }
@@ -131,9 +111,8 @@ TEST(Crosscheck, SaysWhatItComparedOrWhyNot) {
 // by hand, and malformed lines.
 
 json caches_of(const Arguments& more, const Folder& folder) {
-    Arguments arguments = {"caches", "--json", "--machines", "zen5,pentium3_coppermine"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments, folder);
+    const Outcome outcome =
+        run(with({"caches", "--json", "--machines", "zen5,pentium3_coppermine"}, more), folder);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(outcome.out);
 }
@@ -176,21 +155,6 @@ TEST(Traces, OfLackeyLeaveFetchesOutUntilAsked) {
                                HasSubstr("2 distinct lines"), HasSubstr("L1D")));
 }
 
-/// From a handout that many courses copy: one blank after I.
-TEST(Traces, OfHandoutsAreRead) {
-    const Folder folder;
-    folder.write("one_space.lackey",
-                 "==3815== Lackey, an example Valgrind tool\n==3815== Command: ./a.out\n==3815== \n"
-                 "I 04001100,3\nI 04001103,5\n S 1ffefff858,8\nI 04001d70,1\n L 0421c7f0,4\n==3815== \n"
-                 "==3815== Exit code:       0\n");
-    const json read = caches_of({"--trace", "one_space.lackey"}, folder);
-    EXPECT_EQ(read["reads"], 1);
-    EXPECT_EQ(read["writes"], 1);
-    EXPECT_EQ(read["fetches"], 3);
-    EXPECT_EQ(read["distinct_lines"], 2);
-    EXPECT_EQ(caches_of({"--trace", "one_space.lackey", "--fetches"}, folder)["distinct_lines"], 4);
-}
-
 /// Addresses without a letter are read as hexadecimal, as the form has it, but not without a word.
 TEST(Traces, ThatLookDecimalAreWarnedAbout) {
     const Folder folder;
@@ -213,9 +177,7 @@ TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
     folder.write("text", "once upon a time\n");
     folder.write("empty", "");
     const auto complaint = [&](const Arguments& more) {
-        Arguments arguments = {"caches"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = run(arguments, folder);
+        const Outcome outcome = run(with({"caches"}, more), folder);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
@@ -225,16 +187,6 @@ TEST(Traces, ThatAreNoneAreOneLineOfComplaint) {
                 testing::AllOf(HasSubstr("bad.din:2: 'r 18' wants"), HasSubstr("SIZE")));
     EXPECT_THAT(complaint({"--trace", "text"}),
                 testing::AllOf(HasSubstr("text:1: 'once upon a time' wants"), HasSubstr("lackey")));
-    folder.write("dinero4.din", "r 1f40 8\nw 1f48 8\nm 1f50 4\nc 1f40 40\nv 1f40 40\ni 400 4\n");
-    EXPECT_THAT(complaint({"--trace", "dinero4.din"}),
-                testing::AllOf(HasSubstr("dinero4.din:4: 'c 1f40 40' wants an access"),
-                               HasSubstr("delete such lines")));
-    folder.write("commands.din", "3 20734016\n");
-    EXPECT_THAT(complaint({"--trace", "commands.din"}),
-                HasSubstr("commands.din:1: '3 20734016' wants an access"));
-    folder.write("sized.din", "0 3019b6c8 2\n");
-    EXPECT_THAT(complaint({"--trace", "sized.din"}),
-                testing::AllOf(HasSubstr("sized.din:1: '0 3019b6c8 2' wants"), HasSubstr("no sizes")));
     EXPECT_THAT(complaint({"--trace", "empty"}), HasSubstr("no accesses"));
     EXPECT_THAT(complaint({"--trace", "missing"}), HasSubstr("missing: no such file"));
     EXPECT_THAT(complaint({"--trace", "bad.din", "--shape", "cube8"}), HasSubstr("--shape"));

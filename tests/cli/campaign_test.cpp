@@ -19,11 +19,9 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 Arguments small(const Arguments& more, const std::string& state = "s.json") {
-    Arguments arguments = {"campaign",  "--families", "random,grazing", "--shapes",     "cube8",
-                           "--layouts", "aos_f64",    "--algorithms",   "gjk",          "--state",
-                           state,       "--failures", "f.jsonl",        "--every-type", "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
+    return with({"campaign", "--families", "random,grazing", "--shapes", "cube8", "--layouts", "aos_f64",
+                 "--algorithms", "gjk", "--state", state, "--failures", "f.jsonl", "--every-type", "--json"},
+                more);
 }
 
 /// Without what is timed.
@@ -59,18 +57,10 @@ TEST(CampaignCommand, ProvesAllPairsThatItWasAskedFor) {
 TEST(CampaignCommand, ThatComparedNothingSaysSo) {
     const Folder folder;
     for (const char* layouts : {"physx", "box3d", "physx,box3d"}) {
-        const Arguments asked = {"campaign",
-                                 "--families",
-                                 "random",
-                                 "--shapes",
-                                 "sphere1538",
-                                 "--pairs",
-                                 "500",
-                                 "--layouts",
-                                 layouts,
-                                 "--state",
-                                 std::string(layouts) + ".json"};
-        const Outcome outcome = run(asked, folder);
+        const Outcome outcome = run(
+            words_of(std::string("campaign --families random --shapes sphere1538 --pairs 500 --layouts ") +
+                     layouts + " --state " + layouts + ".json"),
+            folder);
         EXPECT_EQ(outcome.exit_code, 1) << layouts;
         EXPECT_THAT(outcome.out, HasSubstr("0 answers"));
         EXPECT_THAT(outcome.out, HasSubstr("nothing was compared"));

@@ -44,28 +44,11 @@ TEST(Figures, AreDocumented) {
 
 TEST(Figures, OfASweepAreAllInTheVocabulary) {
     const Folder folder;
-    const Outcome sweep = run({"sweep",
-                               "--scenes",
-                               "tumble,static,cold",
-                               "--shapes",
-                               "cube8,sphere38",
-                               "--layouts",
-                               "aos_f64",
-                               "--queries",
-                               "200",
-                               "--checked",
-                               "20",
-                               "--rounds",
-                               "1",
-                               "--caches",
-                               "sphere38",
-                               "--stability",
-                               "5",
-                               "--axes",
-                               "allocator=arena",
-                               "--store",
-                               "s.db"},
-                              folder);
+    const Outcome sweep =
+        run(words_of("sweep --scenes tumble,static,cold --shapes cube8,sphere38 --layouts aos_f64 "
+                     "--queries 200 --checked 20 --rounds 1 --caches sphere38 --stability 5 "
+                     "--axes allocator=arena --store s.db"),
+            folder);
     ASSERT_EQ(sweep.exit_code, 0) << sweep.err;
     std::vector<std::pair<std::regex, std::string>> known;
     for (const json& figure : figures(folder))

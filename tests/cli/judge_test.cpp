@@ -180,9 +180,12 @@ TEST(Judge, TakesMeshesWithPoses) {
 TEST(Judge, RefusesWhatItCannotJudge) {
     for (const auto& [text, said] : {std::pair{"", "nothing in it"},
                                      {"Shape 1: Sphere(1)\nX_FS1\nShape 2: Box1 1 1\nX_FS2\n", "Sphere"},
-                                     {"{\"id\": \"1\"}", "a, b are missing"}}) {
+                                     {"{\"id\": \"1\"}", "a, b are missing"},
+                                     {"s1 = hppfcl.Box(2, 2, 2)\ns2 = hppfcl.Box(2, 2, 2)",
+                                      "a case line of JSON, a message of FCL or Drake"}}) {
         const Outcome outcome = judge(text);
         EXPECT_EQ(outcome.exit_code, 2) << text;
+        EXPECT_EQ(outcome.out, "") << text;
         EXPECT_EQ(lines_of(outcome.err).size(), 1U);
         EXPECT_THAT(outcome.err, HasSubstr(said));
     }

@@ -83,23 +83,6 @@ TEST(Lock, NamesWhatDiffers) {
     EXPECT_EQ(check_of("linked_f64", "", "", {}).exit_code, 0);
 }
 
-/// Locks of version 0.1 are under version control in other repositories.
-TEST(Lock, OfTheFirstVersionIsChecked) {
-    const Folder folder;
-    json lock = json_of_run(small_lock, folder);
-    json old = {{"edgewise_lock", 1}, {"of", lock["of"]}, {"figures", lock["figures"]}};
-    folder.write("old.lock.json", old.dump());
-    EXPECT_EQ(run({"lock", "--check", "old.lock.json"}, folder).exit_code, 0);
-    old["figures"]["bytes"] = 1;
-    folder.write("old.lock.json", old.dump());
-    EXPECT_EQ(run({"lock", "--check", "old.lock.json"}, folder).exit_code, 1);
-    folder.write("mine.lock.json", lock.dump());
-    EXPECT_EQ(run({"compare", "mine.lock.json", "mine.lock.json"}, folder).exit_code, 0);
-    const Outcome compared = run({"compare", "old.lock.json", "mine.lock.json"}, folder);
-    EXPECT_EQ(compared.exit_code, 1);
-    EXPECT_THAT(compared.out, testing::StartsWith("changed: bytes: was 1, is "));
-}
-
 TEST(Lock, IsOfAMeshFileToo) {
     const Folder folder;
     const std::string tetrahedron =

@@ -28,9 +28,8 @@ class Merge : public testing::Test {
     void SetUp() override { folder_.write("tiny.json", tiny_plan); }
 
     Outcome shard(const std::string& text, const std::string& store, const Arguments& more = {}) {
-        Arguments arguments = {"sweep", "--plan", "tiny.json", "--shard", text, "--store", store, "--json"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return run(arguments, folder_);
+        return run(with({"sweep", "--plan", "tiny.json", "--shard", text, "--store", store, "--json"}, more),
+                   folder_);
     }
 
     Folder folder_;
@@ -105,18 +104,14 @@ TEST_F(Merge, RefusesOtherSeedsUnlessToldAndBadShards) {
 TEST_F(Merge, HardFamiliesAreDealtToo) {
     const Arguments stability = {"stability", "--layouts", "aos_f64", "--count", "2", "--json"};
     std::size_t rows = 0;
-    for (const char* index : {"0", "1"}) {
-        Arguments part = stability;
-        part.insert(part.end(),
-                    {"--shard", std::string(index) + "/2", "--store", std::string(index) + ".db"});
-        const Outcome outcome = run(part, folder_);
+    for (const std::string index : {"0", "1"}) {
+        const Outcome outcome =
+            run(with(stability, {"--shard", index + "/2", "--store", index + ".db"}), folder_);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         rows += json::parse(outcome.out)["rows"].get<std::size_t>();
     }
     ASSERT_EQ(run({"merge", "0.db", "1.db", "--out", "all.db"}, folder_).exit_code, 0);
-    Arguments whole = stability;
-    whole.insert(whole.end(), {"--store", "whole.db"});
-    EXPECT_EQ(json::parse(run(whole, folder_).out)["rows"], rows);
+    EXPECT_EQ(json::parse(run(with(stability, {"--store", "whole.db"}), folder_).out)["rows"], rows);
     EXPECT_EQ(deterministic_figures_in(folder_ / "all.db"), deterministic_figures_in(folder_ / "whole.db"));
 }
 

@@ -27,9 +27,7 @@ const Arguments small_lock = {"lock", "--table", "lean_f32", "--shape", "cube8",
 
 /// Writes the small lock, with this much taken off its bytes, as lean.lock.json.
 void write_lock(const Folder& folder, double bytes_less, const Arguments& more = {}) {
-    Arguments arguments = small_lock;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run(arguments, folder);
+    const Outcome outcome = run(with(small_lock, more), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     json lock = json::parse(outcome.out);
     lock["figures"]["bytes"] = lock["figures"]["bytes"].get<double>() - bytes_less;
@@ -50,9 +48,7 @@ TEST(CiFormats, ALockHasSoftAndHardLimits) {
     EXPECT_EQ(exit_code_of_check(8, {"--limit", "b*=50%", "--limit", "bytes=16"}), 3);
     const Folder folder;
     for (const char* slip : {"bytes", "bytes=", "bytes=x", "bytes=-1", "bite=5%"}) {
-        Arguments arguments = small_lock;
-        arguments.insert(arguments.end(), {"--limit", slip});
-        const Outcome outcome = run(arguments, folder);
+        const Outcome outcome = run(with(small_lock, {"--limit", slip}), folder);
         EXPECT_EQ(outcome.exit_code, 2) << slip;
         EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("limit")) << slip;

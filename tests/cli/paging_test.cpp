@@ -56,21 +56,15 @@ TEST_P(Paging, LeavesNoControlGroup) {
 INSTANTIATE_TEST_SUITE_P(EndedBy, Paging, testing::Values(SIGTERM, SIGINT),
                          [](const auto& signal) { return signal.param == SIGTERM ? "Sigterm" : "CtrlC"; });
 
-// What `edgewise paging thrash` says: every combination scored, cells made real or the reason, and bad input.
+// What `edgewise paging thrash` says: every combination scored, and cells made real or the reason.
 
 const Arguments few_settings = {"paging",          "thrash", "--layouts",  "aos_f64", "--bodies", "20",
                                 "--memory",        "1,16",   "--fault-ns", "20000",   "--steps",  "12",
                                 "--point-seconds", "0.02"};
 
-Arguments few_settings_with(const Arguments& more) {
-    Arguments arguments = few_settings;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-}
-
 TEST(Thrash, ScoresSettingsAndMakesTheBestReal) {
     const Folder folder;
-    const Outcome found = run(few_settings_with({"--realised", "1", "--json"}), folder);
+    const Outcome found = run(with(few_settings, {"--realised", "1", "--json"}), folder);
     ASSERT_EQ(found.exit_code, 0) << found.err;
     const json told = json::parse(found.out);
     EXPECT_EQ(told["calibrations"].size(), 3U * 2);
@@ -99,18 +93,10 @@ TEST(Thrash, ScoresSettingsAndMakesTheBestReal) {
 
 TEST(Thrash, PrintsATableForPeople) {
     const Folder folder;
-    const Outcome found = run(few_settings_with({"--realised", "0"}), folder);
+    const Outcome found = run(with(few_settings, {"--realised", "0"}), folder);
     ASSERT_EQ(found.exit_code, 0) << found.err;
     EXPECT_THAT(found.out, testing::AllOf(HasSubstr("model /"), HasSubstr("figure_4"),
                                           HasSubstr("whole_table_transform"), HasSubstr("spares")));
-}
-
-TEST(Thrash, RefusesWhatCannotBe) {
-    const Folder folder;
-    EXPECT_EQ(run({"paging", "thrash", "--bodies", "1"}, folder).exit_code, 2);
-    const Outcome unknown = run({"paging", "thrash", "--layouts", "nowhere"}, folder);
-    EXPECT_EQ(unknown.exit_code, 2);
-    EXPECT_THAT(unknown.err, HasSubstr("nowhere"));
 }
 
 }  // namespace

@@ -41,10 +41,21 @@ std::string Folder::write(const std::string& name, const std::string& text) cons
     return name;
 }
 
+Arguments words_of(const std::string& line) {
+    Arguments words;
+    std::istringstream text(line);
+    for (std::string word; text >> word;) words.push_back(word);
+    return words;
+}
+
+Arguments with(Arguments words, const Arguments& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
 Process::Process(const std::string& program, const Arguments& arguments, const Folder& folder)
     : out_(folder / "standard_output"), err_(folder / "standard_error") {
-    std::vector<std::string> words = {program};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    Arguments words = with({program}, arguments);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
@@ -96,9 +107,7 @@ Outcome run(const Arguments& arguments, const Folder& folder) {
 }
 
 Outcome run_in_shell(const std::string& script, const Arguments& arguments, const Folder& folder) {
-    Arguments words = {"-c", script, program_path};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    return Process("/bin/sh", words, folder).wait();
+    return Process("/bin/sh", with({"-c", script, program_path}, arguments), folder).wait();
 }
 
 namespace {
@@ -125,13 +134,7 @@ std::vector<std::string> listed_commands(const Folder& folder) {
     return commands;
 }
 
-Arguments called(const std::string& command, const Arguments& more) {
-    Arguments words;
-    std::istringstream text(command);
-    for (std::string word; text >> word;) words.push_back(word);
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
+Arguments called(const std::string& command, const Arguments& more) { return with(words_of(command), more); }
 
 std::vector<ListedOption> listed_options(const std::string& command, const Folder& folder) {
     std::vector<ListedOption> options;

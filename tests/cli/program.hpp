@@ -31,6 +31,12 @@ class Folder {
 
 using Arguments = std::vector<std::string>;
 
+/// The words between the blanks of a line.
+[[nodiscard]] Arguments words_of(const std::string& line);
+
+/// The words and then more.
+[[nodiscard]] Arguments with(Arguments words, const Arguments& more);
+
 struct Outcome {
     int exit_code = -1;  ///< -1 when a signal ended it
     int signal = 0;

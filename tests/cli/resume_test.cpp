@@ -25,22 +25,10 @@ using testing::IsSupersetOf;
 constexpr std::size_t rounds_of_a_cell = 120, cells = 2 * 2 * 2;
 
 /// Several groups, so that the end comes with some cells complete, one group half-way and others not begun.
-const Arguments sweep = {"sweep",
-                         "--scenes",
-                         "cold,static",
-                         "--shapes",
-                         "sphere38,sphere102",
-                         "--layouts",
-                         "aos_f64",
-                         "--queries",
-                         "100",
-                         "--checked",
-                         "20",
-                         "--rounds",
-                         std::to_string(rounds_of_a_cell),
-                         "--store",
-                         "s.db",
-                         "--json"};
+const Arguments sweep = words_of(
+    "sweep --scenes cold,static --shapes sphere38,sphere102 --layouts aos_f64 "
+    "--queries 100 --checked 20 --store s.db --json --rounds " +
+    std::to_string(rounds_of_a_cell));
 
 class Resume : public testing::Test {
   protected:

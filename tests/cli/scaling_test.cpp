@@ -20,12 +20,6 @@ const Arguments short_scaling = {"bench",      "scaling",   "--shape", "cube8", 
                                  "bodies=100", "--queries", "500",     "--rounds", "2",
                                  "--checked",  "10",        "--table", "aos_f64"};
 
-Outcome scaling(Arguments more, const Folder& folder) {
-    Arguments arguments = short_scaling;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments, folder);
-}
-
 void expect_numbers(const Json& way, double threads) {
     EXPECT_GT(way["queries_per_second"].get<double>(), 0);
     EXPECT_NEAR(way["efficiency"].get<double>() * threads, way["speed_up"].get<double>(), 1e-9);
@@ -34,7 +28,7 @@ void expect_numbers(const Json& way, double threads) {
 TEST(Scaling, HasARowForOneThreadAndForAllCores) {
     const Folder folder;
     for (const char* algorithm : {"vclip", "gjk"}) {
-        const Outcome outcome = scaling({"--json", "--algorithm", algorithm}, folder);
+        const Outcome outcome = run(with(short_scaling, {"--json", "--algorithm", algorithm}), folder);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         const Json found = Json::parse(outcome.out);
@@ -57,7 +51,7 @@ TEST(Scaling, HasARowForOneThreadAndForAllCores) {
 
 TEST(Scaling, PrintsATable) {
     const Folder folder;
-    const Outcome outcome = scaling({"--threads", "1"}, folder);
+    const Outcome outcome = run(with(short_scaling, {"--threads", "1"}), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(lines_of(outcome.out).size(), 7U) << outcome.out;
     for (const char* word : {"aos_f64", "pressure", "speed-up", "efficiency", "contention", "2 rounds"})

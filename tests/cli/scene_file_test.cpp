@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scenes from files through the command line: a user's own file, its cells, its place in the report, whatever
-// its name is; mistakes answered with one line before anything is measured.
+// its name is.
 #include <gmock/gmock.h>
 #include <filesystem>
 
@@ -82,46 +82,15 @@ TEST(SceneFiles, TakeTheBodiesOfTheCommandLine) {
     const Folder folder;
     folder.write("corner.obj", corner);
     folder.write("mine.json", mine);
-    const Arguments common = {"sweep",     "--scenes", "mine.json", "--layouts", "aos_f64",
-                              "--checked", "20",       "--rounds",  "3"};
-    Arguments with_mesh = common;
-    with_mesh.insert(with_mesh.end(), {"--mesh", "corner.obj"});
-    const Outcome outcome = run(with_mesh, folder);
+    const Outcome outcome = run({"sweep", "--scenes", "mine.json", "--layouts", "aos_f64", "--checked", "20",
+                                 "--rounds", "3", "--mesh", "corner.obj"},
+                                folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(shapes_in(folder), std::vector<std::string>{"corner 4 corner.obj, scaled by 4/3"});
     folder.write("lost.json", R"({"scene": "tumble", "shapes": ["lost.obj"]})");
     const Outcome lost = run({"sweep", "--scenes", "lost.json"}, folder);
     EXPECT_EQ(lost.exit_code, 2);
     EXPECT_THAT(lost.err, HasSubstr("lost.obj"));
-}
-
-/// Steps and answers of the same seed are the same figures, whatever the clock says.
-TEST(SceneFiles, GiveTheSameDeterministicFigures) {
-    const std::string sql =
-        "select hash, probe, name, value from figure where probe in ('error', 'work', 'bytes') or name in "
-        "('pairs_per_step', 'box_tests_per_step', 'moves_per_step') order by 1, 2, 3";
-    std::vector<std::string> figures[2];
-    for (auto& found : figures) {
-        const Folder folder;
-        folder.write("mine.json", mine);
-        ASSERT_EQ(sweep(folder, "aos_f64").exit_code, 0);
-        found = rows_of(folder / "reports/out/edgewise.db", sql);
-    }
-    EXPECT_GT(figures[0].size(), 100U);
-    EXPECT_EQ(figures[0], figures[1]);
-}
-
-TEST(SceneFiles, WithMistakesAreRefusedInOneLine) {
-    const Folder folder;
-    folder.write("mine.json", R"({"scene": "tumble", "shapes": ["cube8"], "parameters": {"bodies": 1}})");
-    const Outcome bad = sweep(folder, "aos_f64");
-    EXPECT_EQ(bad.exit_code, 2);
-    EXPECT_THAT(bad.err,
-                HasSubstr("scene file mine: scene 'tumble': bodies = 1 is out of bounds; choose 2 to"));
-    EXPECT_EQ(lines_of(bad.err).size(), 1U);
-    const Outcome unknown = run({"sweep", "--scenes", "papr_static"}, folder);
-    EXPECT_EQ(unknown.exit_code, 2);
-    EXPECT_THAT(unknown.err, HasSubstr("paper_static"));
 }
 
 TEST(SceneFiles, OfThePaperAreListed) {
@@ -138,37 +107,10 @@ constexpr const char* small_scene = R"({"scene": "tumble", "shapes": ["cube8"], 
     "parameters": {"bodies": 6}})";
 
 Outcome sweep_files(const Folder& folder, const std::vector<std::string>& files) {
-    Arguments arguments = {"sweep",    "--layouts", "aos_f64", "--checked", "10",
-                           "--rounds", "2",         "--json",  "--scenes"};
-    arguments.insert(arguments.end(), files.begin(), files.end());
-    return run(arguments, folder);
-}
-
-/// Expects at most as many names as the answer has rows.
-void expect_shown(const std::vector<std::string>& names) {
-    const Folder folder;
-    std::vector<std::string> files;
-    for (const std::string& name : names) files.push_back(folder.write(name + ".json", small_scene));
-    const Outcome outcome = sweep_files(folder, files);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(json::parse(outcome.out)["verified"], 2 * names.size());
-    EXPECT_FALSE(std::filesystem::exists(folder / "reports/out/edgewise.db-shm")) << "readers leave nothing";
-    EXPECT_EQ(rows_of(folder / "reports/out/edgewise.db", "select distinct run from cell"),
-              std::vector<std::string>{"sweep"});
-    const std::string page = text_of(folder / "reports/out/report.md");
-    for (const std::string& name : names) {
-        EXPECT_THAT(page, HasSubstr("| " + name + " | shared |")) << "a row of the answer";
-        std::string file = name;
-        for (char& c : file) c = c == ' ' ? '_' : c;
-        EXPECT_THAT(text_of(folder / ("reports/out/results/" + file + ".csv")),
-                    HasSubstr(",sweep," + name + ","));
-        EXPECT_TRUE(std::filesystem::exists(folder / ("reports/out/figures/scene_" + file + ".vl.json")));
-    }
-}
-
-TEST(SceneFileNames, AreFree) {
-    expect_shown({"thrashing", "stability", "fields", "paging", "effort", "thrash", "effort tumble"});
-    expect_shown({"sweep", "cells", "map", "answer", "tumble2", "cold_start", "stat", "paper_mine"});
+    return run(
+        with({"sweep", "--layouts", "aos_f64", "--checked", "10", "--rounds", "2", "--json", "--scenes"},
+             files),
+        folder);
 }
 
 TEST(SceneFileNames, OfTwoFilesInTwoRunsAreRefusedNamingBoth) {

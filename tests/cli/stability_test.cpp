@@ -3,8 +3,6 @@
 // `edgewise stability`: rows in the store, a chapter in the report, and what is said when a name is wrong.
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -15,11 +13,6 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(Stability, WritesARowForEachFamilyAlgorithmAndTableType) {
     const Folder folder;

@@ -19,11 +19,6 @@ using testing::HasSubstr;
 const Arguments tiny = {"sweep",     "--scenes", "tumble",    "--shapes", "cube8",    "--layouts", "aos",
                         "--queries", "200",      "--checked", "20",       "--rounds", "3",         "--json"};
 
-Arguments with(Arguments arguments, const Arguments& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-}
-
 TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     const Folder folder;
     const Outcome outcome = run(tiny, folder);

@@ -181,7 +181,7 @@ edgewise_mutant(referee_without_edges truth/moore_wilhelms.hpp [[return enter < 
 # Truth
 edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[for (int i = 0; i < 1 && !simplex.holds_origin(); ++i) {]]
     ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
-edgewise_mutant(filter_without_margin truth/support_filter.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
+edgewise_mutant(filter_without_margin truth/exact_body.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
     ExactDistance*:ExactVerdict* ${unit}/truth/exact_distance_test.cpp ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(proof_takes_negative_weights truth/exact_proof.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
     ExactDistance.proof* ${unit}/truth/exact_distance_test.cpp)
@@ -268,7 +268,7 @@ edgewise_mutant(breakdowns_are_columns reports/results/main_figures.cpp [[if (::
 edgewise_mutant(policies_are_columns reports/results/main_figures.cpp [[if (key.find('/') != std::string::npos) return std::nullopt;]] [[]]
     WideResults.Leave* ${unit}/reports/results_test.cpp)
 
-edgewise_mutant(commands_of_other_builds reports/page/pictures.cpp [[if (key.starts_with(prefix) && value == data.build.id)]] [[if (key.starts_with(prefix))]]
+edgewise_mutant(commands_of_other_builds reports/page/pictures.cpp [[if (build == data.build.id)]] [[]]
     Report.HasThePoints* ${unit}/reports/report_paper_charts_test.cpp)
 
 # Store
@@ -294,7 +294,7 @@ edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)
 
 # Figure 8
-edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve_.misses(size) - curve_.firsts()]] [[curve_.misses(size)]]
+edgewise_mutant(first_uses_are_misses studies/thrash/memory_demand.cpp [[curve.misses(size) - curve.firsts()]] [[curve.misses(size)]]
     ThrashDemand.* ${unit}/studies/thrash_test.cpp)
 edgewise_mutant(faults_cost_nothing studies/thrash/factorial.cpp [[page_faults(scene, setting.memory_bytes) * setting.fault_ns + mechanism_ns]] [[mechanism_ns]]
     ThrashTime.* ${unit}/studies/thrash_test.cpp)

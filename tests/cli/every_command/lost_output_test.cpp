@@ -19,9 +19,8 @@ class EveryCommand : public testing::TestWithParam<std::string> {
     /// Its help; with arguments that print something, its text and its JSON.
     [[nodiscard]] static std::vector<Arguments> command_lines() {
         if (GetParam().empty()) return {{"--help"}, {"--help-all"}};
-        Arguments words = called(GetParam(), printing().at(GetParam())), in_json = words;
-        in_json.emplace_back("--json");
-        return {called(GetParam(), {"--help"}), words, in_json};
+        const Arguments words = called(GetParam(), printing().at(GetParam()));
+        return {called(GetParam(), {"--help"}), words, with(words, {"--json"})};
     }
 
     void expect_loss_is_said(const Arguments& words, const Outcome& plain) const {

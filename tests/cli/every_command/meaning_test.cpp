@@ -20,8 +20,7 @@ using testing::HasSubstr;
 Arguments with_body(Arguments words, const std::string& option, const std::string& body) {
     for (auto word = words.begin(); word != words.end();)
         word = *word == option || *word == "--shapes" ? words.erase(word, word + 2) : word + 1;
-    words.insert(words.end(), {option, body});
-    return words;
+    return with(words, {option, body});
 }
 
 /// Commands with a body: those that take seconds are run, the others only read their command line.
@@ -174,12 +173,6 @@ TEST(Manual, CompletionsKnowCommandsAndOptions) {
     EXPECT_EQ(completions("edgewise bytes --shape cu", folder), std::set<std::string>{}) << "a file, by bash";
     EXPECT_EQ(completions("edgewise advise --sha", folder),
               (std::set<std::string>{"--shape", "--shared-tables"}));
-}
-
-TEST(Manual, OfAnUnknownTextNamesTheKnownOnes) {
-    const Outcome outcome = run({"--print", "html"}, Folder());
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("html"), HasSubstr("options, man, bash")));
 }
 
 }  // namespace

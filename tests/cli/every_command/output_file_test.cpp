@@ -54,8 +54,7 @@ Arguments writing(const std::string& option, const std::string& file) {
     if (const std::size_t dashes = option.find("--"); dashes != option.npos)
         words.push_back(option.substr(dashes));
     words.push_back(file);
-    words.insert(words.end(), writer.more.begin(), writer.more.end());
-    return words;
+    return with(words, writer.more);
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {

@@ -23,11 +23,6 @@ struct Reader {
 const Arguments of_fields = {"fields",   "--shape", "cube8",     "--queries", "50",
                              "--rounds", "9",       "--checked", "5"};
 
-Arguments and_then(Arguments words, const Arguments& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 const Arguments of_small_sweep = {"--layouts", "aos_f64", "--queries", "50",   "--checked",  "10",
                                   "--rounds",  "2",       "--store",   "s.db", "--no-report"};
 const Arguments of_gate = {"bench",     "gate", "x.json",    "--rounds", "9",
@@ -37,11 +32,11 @@ const Arguments of_campaign = {"campaign", "--pairs",   "50",      "--families",
 
 const std::vector<Reader> readers = {
     {"scene",
-     and_then({"sweep", "--scenes", "x.json"}, of_small_sweep),
+     with({"sweep", "--scenes", "x.json"}, of_small_sweep),
      {},
      R"({"scene": "cold", "shapes": ["cube8"], "queries": 50})"},
     {"plan",
-     and_then({"sweep", "--plan", "x.json", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep),
+     with({"sweep", "--plan", "x.json", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep),
      {},
      R"({"rounds": 2, "seed": 3})"},
     {"machine",
@@ -49,10 +44,10 @@ const std::vector<Reader> readers = {
      {},
      R"({"line_bytes": 64, "levels": [{"name": "L1D", "bytes": "32K", "ways": 8}]})"},
     {"lock", {"lock", "--check", "x.json"}, {"lock", "--shape", "cube8", "--queries", "10"}},
-    {"baseline", of_gate, and_then(of_gate, {"--write"})},
+    {"baseline", of_gate, with(of_gate, {"--write"})},
     {"state", of_campaign, of_campaign},
     {"record", {"compare", "x.json"}, {"export", "s.db", "--machine-record"}},
-    {"groups", and_then(of_fields, {"--groups", "x.json"}), and_then(of_fields, {"--write", "x.json"})},
+    {"groups", with(of_fields, {"--groups", "x.json"}), with(of_fields, {"--write", "x.json"})},
 };
 
 /// A text that the reader takes.
@@ -66,9 +61,8 @@ std::string right_text(const Reader& reader, const Folder& folder) {
 
 TEST(JsonFiles, HaveNoMemberTwiceAndNoneThatNobodyKnows) {
     const Folder folder;
-    ASSERT_EQ(
-        run(and_then({"sweep", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep), folder).exit_code,
-        0);
+    ASSERT_EQ(run(with({"sweep", "--scenes", "cold", "--shapes", "cube8"}, of_small_sweep), folder).exit_code,
+              0);
     for (const Reader& reader : readers) {
         const std::string right = right_text(reader, folder);
         const auto reading = [&](const std::string& first_member) {
@@ -136,20 +130,6 @@ TEST(RealOptions, AreReadByOneReader) {
         }
     }
     EXPECT_GE(options, 30) << "few options were found: is --help read right?";
-}
-
-TEST(RealOptions, SayUnitAndRange) {
-    const Folder folder;
-    const auto complaint = [&](const Arguments& words) { return run(words, folder).err; };
-    EXPECT_THAT(complaint({"advise", "--time", "nan"}),
-                HasSubstr("--time 'nan' wants a decimal number of seconds, 5 to 3600"));
-    EXPECT_THAT(complaint({"query", "x", "--gap-tolerance", "1"}),
-                HasSubstr("wants a decimal number, 0 to 0.999"));
-    EXPECT_THAT(complaint({"advise", "budget", "--tolerance", "0"}),
-                HasSubstr("wants a decimal number, above 0"));
-    EXPECT_THAT(complaint({"paging", "--limits", "4,nan"}),
-                HasSubstr("--limits 'nan' wants a decimal number of MiB"));
-    EXPECT_THAT(complaint({"query", "x", "--contact-tolerance", "-1"}), HasSubstr("0 or more"));
 }
 
 }  // namespace

@@ -15,12 +15,11 @@ using nlohmann::json;
 inline std::string dump(const std::string& name) { return text_of(std::string(dumps_folder) + "/" + name); }
 
 /// Runs judge on the pair in a file, with a few table types; tests/corpus has all.
-inline Outcome judge(const std::string& text, Arguments more = {}) {
+inline Outcome judge(const std::string& text, const Arguments& more = {}) {
     const Folder folder;
     folder.write("pair.txt", text);
-    Arguments arguments = {"judge", "pair.txt", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run(arguments, folder);
+    return run(with({"judge", "pair.txt", "--json", "--layouts", "aos_f64,lean_f64,points_soa_f64"}, more),
+               folder);
 }
 
 inline json box(double x, double y, double z) {

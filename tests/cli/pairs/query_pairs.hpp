@@ -34,9 +34,8 @@ inline std::vector<json> answers_of(const Outcome& outcome) {
 class Query : public testing::TestWithParam<const char*> {
   protected:
     Outcome ask(const std::string& cases, const Arguments& more = {}) {
-        Arguments arguments = {"query", folder_.write("cases.jsonl", cases), "--algorithm", GetParam()};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return run(arguments, folder_);
+        return run(with({"query", folder_.write("cases.jsonl", cases), "--algorithm", GetParam()}, more),
+                   folder_);
     }
 
   private:

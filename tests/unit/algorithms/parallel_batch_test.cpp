@@ -28,6 +28,8 @@ namespace {
 
 // A table that queries write to is for one thread at a time: no batch over threads takes it.
 static_assert(ShareableTable<aos<f64>> && ShareableTable<points_soa<f32>> && !ShareableTable<lazy<f64>>);
+// Handles that are addresses fit no lane.
+static_assert(!NumberedTable<linked<f64>>);
 
 template <class TableType, class AlgorithmType>
 struct Asked {
@@ -101,7 +103,7 @@ TYPED_TEST(ParallelBatches, HonourTheOptions) {
 TYPED_TEST(ParallelBatches, TakeAnyNumberOfQueries) {
     using Table = typename TypeParam::Table;
     using Algorithm = typename TypeParam::Algorithm;
-    for (const std::size_t count : {0U, 1U, 33U, 257U}) {
+    for (const std::size_t count : {0U, 1U, 3U, 17U, 33U, 257U}) {
         PairCrowd<Table, Algorithm> crowd(count);
         const std::vector<Distance> expected = crowd.one_by_one({});
         std::vector<Distance> answers(count);

@@ -77,7 +77,7 @@ TEST(AllocatorsTogether, LeaveMallocToTheCLibrary) {
 
 TEST(Arena, PlacesTablesAtKnownOffsets) {
     Arena arena;
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(arena.base()) % TableMapping::alignment, 0U);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(arena.base()) % Arena::alignment, 0U);
     const auto offset = [&](void* memory) { return static_cast<std::byte*>(memory) - arena.base(); };
     EXPECT_EQ(offset(arena.allocate(100, 64)), 0);
     EXPECT_EQ(offset(arena.allocate(10, 8)), 104);

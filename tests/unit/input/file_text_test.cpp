@@ -3,7 +3,6 @@
 // Files that users name: regular ones are read whole, all others are refused at once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <fstream>
 #include <new>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/guarded.hpp"
 
@@ -23,16 +23,9 @@ using testing::HasSubstr;
 
 class FileText : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "edgewise-text-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    [[nodiscard]] std::string path(const char* name) const { return folder_ / name; }
 
-    [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 TEST_F(FileText, IsReadWhole) {

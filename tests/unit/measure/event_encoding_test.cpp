@@ -7,6 +7,7 @@
 #include <linux/perf_event.h>
 #include <perfmon/pfmlib.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -36,7 +37,7 @@ TEST(EventEncoding, LibpfmKnowsEveryRow) {
             continue;
         }
         for (const EventRow& row : event_table()) {
-            if ((row.generations & processor.generation) == 0) continue;
+            if (std::ranges::count(row.generations, processor.generation) == 0) continue;
             const Expected<EventCode> code = encode_by_libpfm(fmt::format("{}::{}", processor.pmu, row.name));
             ASSERT_TRUE(code.value) << code.reason;
             EXPECT_EQ(code.value->type, static_cast<std::uint32_t>(PERF_TYPE_RAW));
@@ -56,7 +57,7 @@ TEST(EventEncoding, LibpfmKnowsEveryGenericEvent) {
     };
     for (const MetricName& metric : metrics) {
         for (const CpuMaker maker : {CpuMaker::intel, CpuMaker::amd, CpuMaker::arm, CpuMaker::other}) {
-            const GenericEvent* const event = find_generic(metric.metric, maker);
+            const GenericEvent* const event = find_generic(metric.name, maker);
             if (event == nullptr) continue;
             const Expected<EventCode> code = code_of(event->name);
             ASSERT_TRUE(code.value) << code.reason;
@@ -110,7 +111,7 @@ TEST(EventEncoding, WithoutTheProcessorsNamesTheGenericEventsAreLeft) {
     arm.model.value = 0xd0c;
     EXPECT_EQ(event_candidates(metrics[0], arm).at(0).by, "generic");
     for (const MetricName& metric : metrics) {
-        if (metric.metric != Metric::stores) continue;
+        if (metric.name != "stores") continue;
         EXPECT_TRUE(event_candidates(metric, arm).empty());
         const ChosenEvent event = choose_event(metric, arm);
         EXPECT_NE(event.refusal.reason.find("arm_n1::MEM_ACCESS_WR"), std::string::npos)

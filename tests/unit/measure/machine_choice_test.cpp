@@ -2,35 +2,24 @@
 //
 // Machines chosen by name, by file, and this one; messages for bad ones.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "../complaint.hpp"
+#include "../temporary_folder.hpp"
 #include "edgewise/measure/cache/machine_choice.hpp"
 #include "edgewise/measure/machine/machine.hpp"
 
 namespace edgewise::measure {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 class MachineChoices : public testing::Test {
   protected:
-    MachineChoices()
-        : folder_(fs::temp_directory_path() / ("edgewise-machines-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~MachineChoices() override { fs::remove_all(folder_); }
-
     std::string file(const std::string& name, const std::string& text) const {
-        fs::create_directories((folder_ / name).parent_path());
-        std::ofstream(folder_ / name) << text;
-        return (folder_ / name).string();
+        return folder_.write(name, text);
     }
     static std::string complaint(const std::vector<std::string>& names) {
         return complaint_of<std::exception>([&] { return choose_machines(names); });
@@ -47,7 +36,7 @@ class MachineChoices : public testing::Test {
         file(at + "coherency_line_size", "64");
     }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
 };
 
 constexpr const char* good =
@@ -74,7 +63,7 @@ TEST_F(MachineChoices, AreFoundByNameAndByFile) {
 TEST_F(MachineChoices, AreRefusedWithOneLineThatSaysWhat) {
     EXPECT_THAT(complaint({"zen17"}), testing::AllOf(HasSubstr("zen17"), HasSubstr("pentium3_coppermine")));
     EXPECT_THAT(complaint({"zen5", "zen5"}), HasSubstr("two machines"));
-    EXPECT_THAT(complaint({(folder_ / "none.json").string()}), HasSubstr("none.json: no such file"));
+    EXPECT_THAT(complaint({folder_ / "none.json"}), HasSubstr("none.json: no such file"));
     EXPECT_THAT(complaint({file("bad.json", with_ways("0"))}),
                 testing::AllOf(HasSubstr("levels[0].ways"), HasSubstr("from 1 to 512")));
 }
@@ -94,7 +83,7 @@ TEST_F(MachineChoices, TakeTheHostFromSysfs) {
     add_cache(0, "Data", 1, "48K", 12);
     add_cache(1, "Instruction", 1, "32K", 8);
     add_cache(2, "Unified", 2, "1024K", 16);
-    const auto host = host_machine(folder_);
+    const auto host = host_machine(folder_.path());
     ASSERT_TRUE(host.value) << host.reason;
     ASSERT_EQ(host.value->caches.levels.size(), 2U);
     EXPECT_EQ(host.value->caches.levels[0].name, "L1D");
@@ -108,7 +97,7 @@ TEST_F(MachineChoices, TakeTheHostFromTheProcessorThatTheProcessMayRunOn) {
     const std::int64_t here = allowed_processors().at(0);
     for (const std::int64_t processor : {std::max(here - 1, std::int64_t{0}), here + 1, here})
         add_cache(0, "Data", 1, processor == here ? "32K" : "48K", processor == here ? 8 : 12, processor);
-    const auto host = host_machine(folder_);
+    const auto host = host_machine(folder_.path());
     ASSERT_TRUE(host.value) << host.reason;
     EXPECT_EQ(host.value->caches.levels[0].ways, 8U);
     EXPECT_EQ(host.value->what, "this machine, as the kernel reports it: processors " + std::to_string(here));
@@ -119,7 +108,7 @@ TEST_F(MachineChoices, HaveLevelsOfDifferentNames) {
     add_cache(0, "Data", 1, "48K", 12);
     add_cache(1, "Data", 1, "192K", 12);
     add_cache(2, "Unified", 2, "3072K", 12);
-    const auto host = host_machine(folder_);
+    const auto host = host_machine(folder_.path());
     ASSERT_TRUE(host.value) << host.reason;
     std::vector<std::string> names;
     for (const LevelGeometry& level : host.value->caches.levels) names.push_back(level.name);
@@ -129,9 +118,9 @@ TEST_F(MachineChoices, HaveLevelsOfDifferentNames) {
 TEST_F(MachineChoices, SayWhenTheHostDoesNotTell) {
     EXPECT_FALSE(host_machine(folder_ / "nowhere").reason.empty());
     add_cache(0, "Instruction", 1, "32K", 8);
-    EXPECT_THAT(host_machine(folder_).reason, HasSubstr("no data cache"));
+    EXPECT_THAT(host_machine(folder_.path()).reason, HasSubstr("no data cache"));
     add_cache(0, "Data", 1, "48K", 0);
-    EXPECT_FALSE(host_machine(folder_).value);
+    EXPECT_FALSE(host_machine(folder_.path()).value);
 }
 
 using testing::ElementsAre;

@@ -8,11 +8,11 @@
 #include <sys/sysinfo.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/measure/machine/machine_json.hpp"
 
 namespace edgewise::measure {
@@ -112,17 +112,7 @@ TEST(Cpu, KnowsNothingFromNothing) {
 /// A made-up file system root, gone afterwards.
 class MachineTest : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "edgewise-machine-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        root_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(root_); }
-
-    void write(const std::string& file, const std::string& text) const {
-        std::filesystem::create_directories((root_ / file).parent_path());
-        std::ofstream(root_ / file) << text << '\n';
-    }
+    void write(const std::string& file, const std::string& text) const { folder_.write(file, text + '\n'); }
     void write_cache(int index, const char* level, const char* type, const char* size, const char* ways,
                      int processor = 0, const std::string& shared_by = "0-3") const {
         const std::string directory = "sys/devices/system/cpu/cpu" + std::to_string(processor) +
@@ -171,7 +161,8 @@ class MachineTest : public testing::Test {
         write_cache(1, "3", "Unified", "32768K", "0");
     }
 
-    std::filesystem::path root_;
+    const TemporaryFolder folder_;
+    const std::filesystem::path& root_ = folder_.path();
 };
 
 TEST_F(MachineTest, ReadsAMadeUpMachine) {

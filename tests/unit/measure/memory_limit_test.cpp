@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/bench/memory/arena.hpp"
 #include "edgewise/measure/cache/reuse_distance.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
@@ -34,22 +34,22 @@ TEST(MemoryLimit, KnowsTheProcessesOwnGroupInBothVersions) {
 /// A made-up version 2: the folder is made in the own group, or, where that hands memory not down, above.
 TEST(MemoryLimit, TakesTheFirstGroupThatHandsMemoryDown) {
     namespace fs = std::filesystem;
-    const fs::path root = fs::temp_directory_path() / ("edgewise-cgroup-" + std::to_string(getpid()));
+    const TemporaryFolder folder;
+    const fs::path& root = folder.path();
     fs::create_directories(root / "sys/fs/cgroup/own");
-    fs::create_directories(root / "proc/self");
-    std::ofstream(root / "sys/fs/cgroup/cgroup.controllers") << "memory";
-    std::ofstream(root / "proc/self/cgroup") << "0::/own\n";
+    folder.write("sys/fs/cgroup/cgroup.controllers", "memory");
+    folder.write("proc/self/cgroup", "0::/own\n");
     const auto limit = MemoryLimit::make(root);
     EXPECT_FALSE(limit.value);
     EXPECT_NE(limit.reason.find("not handed down"), std::string::npos) << limit.reason;
     EXPECT_TRUE(fs::is_empty(root / "sys/fs/cgroup/own")) << "what was tried is removed";
-    fs::remove_all(root);
 }
 
 /// A process that was killed leaves its group; the next one that makes a group takes it away.
 TEST(MemoryLimit, RemovesGroupsOfProcessesThatAreNoMore) {
     namespace fs = std::filesystem;
-    const fs::path root = fs::temp_directory_path() / ("edgewise-orphans-" + std::to_string(getpid()));
+    const TemporaryFolder folder;
+    const fs::path& root = folder.path();
     const fs::path own = root / "sys/fs/cgroup/own";
     const pid_t gone = fork();
     if (gone == 0) _exit(0);
@@ -58,14 +58,12 @@ TEST(MemoryLimit, RemovesGroupsOfProcessesThatAreNoMore) {
                       alive = "edgewise-" + std::to_string(getppid());
     for (const std::string& name : {dead, alive, std::string("edgewise-x1"), std::string("other-1")})
         fs::create_directories(own / name);
-    fs::create_directories(root / "proc/self");
-    std::ofstream(root / "sys/fs/cgroup/cgroup.controllers") << "memory";
-    std::ofstream(root / "proc/self/cgroup") << "0::/own\n";
+    folder.write("sys/fs/cgroup/cgroup.controllers", "memory");
+    folder.write("proc/self/cgroup", "0::/own\n");
     EXPECT_FALSE(MemoryLimit::make(root).value);
     EXPECT_FALSE(fs::exists(own / dead));
     for (const std::string& name : {alive, std::string("edgewise-x1"), std::string("other-1")})
         EXPECT_TRUE(fs::exists(own / name)) << name;
-    fs::remove_all(root);
 }
 
 TEST(MemoryLimit, IsThereOrSaysWhyNot) {
@@ -82,26 +80,27 @@ TEST(MemoryLimit, IsThereOrSaysWhyNot) {
     EXPECT_TRUE((*limit.value)->holds().value);
 }
 
-TEST(TableMapping, OfAFileLetsItsPagesGoAndComeBack) {
-    const bench::TableMapping mapping(bench::Backing::file);
+TEST(ArenaPages, OfAFileGoAndComeBack) {
+    bench::Arena arena(bench::Backing::file);
     constexpr std::size_t page = 4096, pages = 100;
-    for (std::size_t i = 0; i < pages; ++i) std::memset(mapping.base() + i * page, static_cast<int>(i), page);
-    EXPECT_EQ(mapping.resident(pages * page), pages * page);
-    ASSERT_TRUE(mapping.evict(pages * page));
-    EXPECT_EQ(mapping.resident(pages * page), 0U);
+    auto* const memory = static_cast<std::byte*>(arena.allocate(pages * page, page));
+    for (std::size_t i = 0; i < pages; ++i) std::memset(memory + i * page, static_cast<int>(i), page);
+    EXPECT_EQ(arena.resident(), pages * page);
+    ASSERT_TRUE(arena.evict());
+    EXPECT_EQ(arena.resident(), 0U);
     const ThreadUsage before = thread_usage();
-    for (std::size_t i = 0; i < pages; ++i)
-        ASSERT_EQ(std::to_integer<std::size_t>(mapping.base()[i * page]), i);
+    for (std::size_t i = 0; i < pages; ++i) ASSERT_EQ(std::to_integer<std::size_t>(memory[i * page]), i);
     const ThreadUsage during = thread_usage() - before;
     EXPECT_EQ(during.major_faults, pages) << "each page is read from the disk, and none ahead";
-    EXPECT_EQ(mapping.resident(pages * page), pages * page);
+    EXPECT_EQ(arena.resident(), pages * page);
 }
 
-TEST(TableMapping, OfMemoryCannotLetGo) {
-    const bench::TableMapping mapping(bench::Backing::memory);
-    std::memset(mapping.base(), 1, 4096);
-    EXPECT_FALSE(mapping.evict(4096));
-    EXPECT_EQ(std::to_integer<int>(mapping.base()[17]), 1);
+TEST(ArenaPages, OfMemoryCannotGo) {
+    bench::Arena arena;
+    auto* const memory = static_cast<std::byte*>(arena.allocate(4096, 64));
+    std::memset(memory, 1, 4096);
+    EXPECT_FALSE(arena.evict());
+    EXPECT_EQ(std::to_integer<int>(memory[17]), 1);
 }
 
 TEST(PageReuse, SeesTablesOnlyAndPagesOnly) {

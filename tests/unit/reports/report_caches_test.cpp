@@ -50,7 +50,7 @@ TEST_F(Report, OfCachesRanksByLinesAndNamesMachines) {
     ASSERT_EQ(cells.size(), 3U) << "the cell without a trace is not there";
     EXPECT_EQ(cells[0]->table, "aos_f32");
     EXPECT_EQ(modelled_machines(data), (std::vector<std::string>{"host", "zen5"}));
-    const TextGrid grid = misses_grid(data);
+    const TextGrid grid = misses_grid(data, "zen5");
     ASSERT_EQ(grid.rows.size(), 3U);
     EXPECT_THAT(texts_of(grid.rows[0]), testing::Contains("8"));
     EXPECT_EQ(working_sets_grid(data).rows.size(), 3U);

@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
+#include "../complaint.hpp"
+#include "../temporary_folder.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/reports/reader.hpp"
@@ -101,15 +102,6 @@ inline std::string store_sql() {
 
 class Report : public testing::Test {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        directory_ = fs::temp_directory_path() /
-                     ("edgewise_report_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
-        fs::remove_all(directory_);
-        fs::create_directories(directory_);
-    }
-    void TearDown() override { fs::remove_all(directory_); }
-
     std::string make_store(const std::string& sql = store_sql()) const {
         const std::string path = (directory_ / "store.db").string();
         sqlite3* database = nullptr;
@@ -123,15 +115,11 @@ class Report : public testing::Test {
     }
     /// The one line that reading `path` fails with.
     static std::string failure(const std::string& path) {
-        try {
-            (void)read_report(path);
-        } catch (const std::runtime_error& error) {
-            return error.what();
-        }
-        return "(no failure)";
+        return complaint_of([&] { return read_report(path); });
     }
 
-    fs::path directory_;
+    const TemporaryFolder folder_;
+    const fs::path& directory_ = folder_.path();
 };
 
 }  // namespace edgewise::reports

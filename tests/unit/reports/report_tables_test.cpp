@@ -105,13 +105,12 @@ TEST(Fronts, AreOfOneSceneAndShape) {
 }
 
 TEST(Fronts, KnowATolerance) {
-    EXPECT_EQ(gap_tolerance_of(front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0)), "");
-    EXPECT_EQ(gap_tolerance_of(
-                  front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0, "gap_tolerance=1e-06")),
-              "1e-06");
-    EXPECT_EQ(gap_tolerance_of(front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0,
-                                          "gap_tolerance=0.01+order=bfs+batch=yes")),
-              "0.01");
+    const auto tolerance_of = [](const char* axes) {
+        return front_cell(store::CellStatus::verified, "lean", 1, 0.0, 0.0, 0.0, axes).axis("gap_tolerance");
+    };
+    EXPECT_EQ(tolerance_of(""), std::nullopt);
+    EXPECT_EQ(tolerance_of("gap_tolerance=1e-06"), "1e-06");
+    EXPECT_EQ(tolerance_of("gap_tolerance=0.01+order=bfs+batch=yes"), "0.01");
 }
 
 TEST(SpeedError, DrawsEveryPointAndSaysWhatIsNotDrawn) {

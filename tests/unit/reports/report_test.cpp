@@ -56,7 +56,7 @@ TEST_F(Report, RoundsHaveRatiosByKindAndOfAllPairs) {
 TEST_F(Report, WhatWasNotMeasuredIsNeverANumber) {
     (void)write_report(make_store(), (directory_ / "out").string(), "");
     const TextGrid grid = time_grid(read_report((directory_ / "store.db").string()),
-                                    "tumble (rotation_step 0.01)", PairKind::Overlapping, "");
+                                    "tumble (rotation_step 0.01)", PairKind::Overlapping);
     ASSERT_EQ(grid.rows.size(), 1u);
     for (std::size_t column = 4; column < 8; ++column) {
         EXPECT_EQ(grid.rows[0][column].text, "not measured");
@@ -240,7 +240,7 @@ TEST_F(Report, BytesTableAsMarkdown) {
 
 TEST_F(Report, RatioIntervalsComeFromTheRounds) {
     const ReportData data = read_report(make_store());
-    const TextGrid grid = time_grid(data, "static", PairKind::Separated, "");
+    const TextGrid grid = time_grid(data, "static", PairKind::Separated);
     ASSERT_FALSE(grid.rows.empty());
     expect_texts(grid.rows[0], {{6, "1.000"}, {7, "1.000 to 1.006"}});
     for (const ReportCell& cell : data.cells)

@@ -9,8 +9,8 @@
 
 #include <cstdlib>
 #include <set>
-#include <stdexcept>
 
+#include "../complaint.hpp"
 #include "csv_reader.hpp"
 #include "edgewise/reports/page/report.hpp"
 #include "made_up_data.hpp"
@@ -159,12 +159,7 @@ ReportData data_to_export() {
 }
 
 std::string line_thrown_by(const ExportChoice& choice) {
-    try {
-        (void)export_text(data_to_export(), choice);
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "nothing thrown";
+    return complaint_of([&] { return export_text(data_to_export(), choice); });
 }
 
 /// "hash probe.figure" of every row.

@@ -4,13 +4,10 @@
 // looks like.
 #pragma once
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "geometry_bodies.hpp"
 
@@ -124,23 +121,11 @@ struct LShape {
 /// A folder of its own for each test, removed at its end.
 class MeshFolder : public ::testing::Test {
   protected:
-    void SetUp() override {
-        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        const std::string name = "edgewise_mesh_" + std::to_string(getpid()) + "_" + info->name();
-        folder_ = std::filesystem::temp_directory_path() / name;
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    std::string write(const std::string& name, const std::string& text) {
-        const std::string path = (folder_ / name).string();
-        std::ofstream(path, std::ios::binary) << text;
-        return path;
-    }
-    [[nodiscard]] std::string folder() const { return folder_.string(); }
+    std::string write(const std::string& name, const std::string& text) { return folder_.write(name, text); }
+    [[nodiscard]] std::string folder() const { return folder_.path().string(); }
 
   private:
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 inline void expect_said(const std::string& error, const std::string& said) {

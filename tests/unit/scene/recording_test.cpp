@@ -7,14 +7,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/record.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "made_scene.hpp"
@@ -25,27 +24,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A file that is removed at the end of its scope.
-class File {
-  public:
-    explicit File(const std::string& text, const std::string& name = "mine.jsonl")
-        : folder_(std::filesystem::temp_directory_path() / ("recording" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(folder_);
-        path_ = folder_ / name;
-        std::ofstream(path_, std::ios::binary) << text;
-    }
-    ~File() { std::filesystem::remove_all(folder_); }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-
-    [[nodiscard]] std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path folder_, path_;
-};
-
 Result<Recording> read(const std::string& text, const std::string& name = "mine.jsonl") {
-    return read_recording(File(text, name).path());
+    return read_recording(TemporaryFolder().write(name, text));
 }
 
 Recording read_well(const std::string& text) {
@@ -342,14 +322,14 @@ TEST(Recorder, RefusesBadCalls) {
 }
 
 TEST(RecordedScene, IsNamedInASceneFileOrByItself) {
-    const File file(boxes + step(0) + step(1));
-    const auto direct = find_scene_file(file.path());
+    const TemporaryFolder folder;
+    const auto direct = find_scene_file(folder.write("mine.jsonl", boxes + step(0) + step(1)));
     ASSERT_TRUE(direct && *direct) << (*direct).error;
     EXPECT_EQ((*direct)->name, "mine");
     EXPECT_EQ((*direct)->kind, recorded_kind);
     EXPECT_EQ((*direct)->shapes.front().body.vertex_count(), 8U);
     EXPECT_GT((*direct)->points.front().parameters.at("recording"), 0);
-    const SceneFileContext here{.folder = std::filesystem::path(file.path()).parent_path()};
+    const SceneFileContext here{.folder = folder.path()};
     const auto parsed = [&](const std::string& more) {
         return parse_scene_file("mine", R"({"scene": "recorded", "recording": "mine.jsonl")" + more + "}",
                                 here);

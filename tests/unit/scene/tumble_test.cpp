@@ -61,7 +61,7 @@ TEST(Tumble, DrawsVelocitiesUpToThoseGiven) {
 }
 
 TEST(Tumble, StepsInSmallestDimensions) {
-    EXPECT_EQ(smallest_dimension(make_shape("cube8")->vertices), 1.125);
+    EXPECT_EQ(box_of(make_shape("cube8")->vertices).sides().minCoeff(), 1.125);
     double most = 0;
     each_move(tumble({{"step_in_dimensions", 0.2}, {"rotation_step", 0}}),
               [&](const Pose& before, const Pose& after, std::size_t) {

@@ -49,7 +49,6 @@ constexpr const char* to_version_5 = R"(pragma foreign_keys = off; alter table c
 class OldStore : public StoreTest {
   protected:
     void SetUp() override {
-        StoreTest::SetUp();
         make(path_);
         run_sql(path_, to_version_5);
     }

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <stdlib.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +14,7 @@
 #include <string>
 #include <tuple>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/store/store.hpp"
 
 namespace edgewise::store {
@@ -22,16 +22,9 @@ namespace edgewise::store {
 /// A directory of its own for each test, gone afterwards.
 class StoreTest : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "edgewise-store-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        directory_ = name;
-        path_ = (directory_ / "test.db").string();
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
-
-    std::filesystem::path directory_;
-    std::string path_;
+    const TemporaryFolder folder_;
+    const std::filesystem::path& directory_ = folder_.path();
+    const std::string path_ = folder_ / "test.db";
 };
 
 /// Runs SQL past the store, as a foreign program would.

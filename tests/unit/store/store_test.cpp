@@ -99,7 +99,7 @@ TEST_F(StoreTest, EveryFieldComesBackAfterReopening) {
     const auto found = store.find_cell("build-1", "cell-1");
     ASSERT_TRUE(found);
     expect_equal(*found, cell);
-    const auto back = store.figures("build-1", "cell-1");
+    const auto& back = found->figures;
     ASSERT_EQ(back.size(), figures.size());
     for (std::size_t i = 0; i < back.size(); ++i) expect_equal(back[i], figures[i]);
     EXPECT_EQ(find_meta(path_, "plan"), "paper");
@@ -135,7 +135,7 @@ TEST_F(StoreTest, ReplacesTheSameCellAndKeepsItsRounds) {
     changed.queries = 7;
     store.put_cell("build-1", changed, std::vector<FigureRow>{{{"y", 3.0, "1"}, "a"}});
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->queries, 7u);
-    const auto figures = store.figures("build-1", "cell-1");
+    const auto figures = store.find_cell("build-1", "cell-1")->figures;
     ASSERT_EQ(figures.size(), 1u);  // x is gone
     EXPECT_EQ(figures[0].value, 3.0);
     EXPECT_EQ(store.rounds_done("build-1", "cell-1"), std::set<int>{0});
@@ -153,8 +153,8 @@ TEST_F(StoreTest, KeepsBuildsApart) {
     store.put_round("build-2", round);
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->reason, "build-1");
     EXPECT_EQ(store.find_cell("build-2", "cell-1")->reason, "build-2");
-    EXPECT_EQ(store.figures("build-1", "cell-1")[0].value, 1.0);
-    EXPECT_EQ(store.figures("build-2", "cell-1")[0].value, 2.0);
+    EXPECT_EQ(store.find_cell("build-1", "cell-1")->figures[0].value, 1.0);
+    EXPECT_EQ(store.find_cell("build-2", "cell-1")->figures[0].value, 2.0);
     EXPECT_TRUE(store.rounds_done("build-1", "cell-1").empty());
     EXPECT_EQ(store.rounds_done("build-2", "cell-1"), std::set<int>{3});
     EXPECT_FALSE(store.find_cell("build-3", "cell-1"));
@@ -195,8 +195,9 @@ TEST_F(StoreTest, AFailingWriteChangesNothing) {
     EXPECT_THROW(
         store.put_cell("build-1", sample_cell(), std::vector<FigureRow>{{{"z", std::nullopt, "1"}, "a"}}),
         std::runtime_error);  // neither value nor reason
-    ASSERT_EQ(store.figures("build-1", "cell-1").size(), 1u);
-    EXPECT_EQ(store.figures("build-1", "cell-1")[0].name, "x");
+    const auto figures = store.find_cell("build-1", "cell-1")->figures;
+    ASSERT_EQ(figures.size(), 1u);
+    EXPECT_EQ(figures[0].name, "x");
 
     EXPECT_THROW(store.put_cell("no such build", sample_cell(), {}), std::runtime_error);
     EXPECT_EQ(store.find_cell("build-1", "cell-1")->status, CellStatus::verified);
@@ -210,11 +211,12 @@ TEST_F(StoreTest, AValueThatIsNotFiniteIsNullWithAReason) {
     const double infinity = std::numeric_limits<double>::infinity();
     store.put_cell("build-1", sample_cell(),
                    std::vector<FigureRow>{{{"x", std::nan(""), "1"}, "a"}, {{"y", -infinity, "1"}, "a"}});
-    for (const FigureRow& row : store.figures("build-1", "cell-1")) {
+    const auto figures = store.find_cell("build-1", "cell-1")->figures;
+    for (const FigureRow& row : figures) {
         EXPECT_FALSE(row.value);
         EXPECT_NE(row.reason.find("not a finite number"), std::string::npos) << row.reason;
     }
-    EXPECT_EQ(store.figures("build-1", "cell-1").size(), 2u);
+    EXPECT_EQ(figures.size(), 2u);
 }
 
 TEST_F(StoreTest, RefusesWhatIsNotItsOwn) {

@@ -7,9 +7,11 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
-#include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "../complaint.hpp"
+#include "../temporary_folder.hpp"
 #include "edgewise/bench/trace/trace_places.hpp"
 #include "edgewise/layout_parts/stored_fields.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
@@ -26,12 +28,14 @@ using ::testing::HasSubstr;
 class MadeUpTrace {
   public:
     explicit MadeUpTrace(std::uint32_t bytes = 24, std::uint32_t alignment = 8) {
-        table_.fields = {{"a", "one", 24, 8},
-                         {"b", "one", bytes, alignment},
-                         {"c", "one", bytes, alignment},
-                         {"d", "other", 24, 8}};
-        table_.records = {100, 100, 100, 50};
-        trace_.tables = {table_};
+        FieldMap& table = trace_.tables.emplace_back();
+        table.fields = {{"a", "one", 24, 8},
+                        {"b", "one", bytes, alignment},
+                        {"c", "one", bytes, alignment},
+                        {"d", "other", 24, 8}};
+        for (std::uint8_t field = 0; field < 3; ++field)
+            table.places.push_back({.element = 99, .field = field});
+        table.places.push_back({.element = 49, .field = 3});
     }
     MadeUpTrace& query() {
         if (trace_.queries++ > 0) trace_.events.push_back({.kind = FieldEvent::Kind::query_end});
@@ -55,7 +59,6 @@ class MadeUpTrace {
     }
 
   private:
-    TableFields table_;
     FieldTrace trace_;
 };
 
@@ -125,7 +128,8 @@ TEST(BestGroups, FieldsThatNobodyReadsAreApart) {
         MadeUpTrace made(bytes, alignment);
         for (std::uint32_t i = 0; i < 40; ++i) made.query().step().read(0, i).read(1, i);
         const FieldTrace trace = made.end();
-        EXPECT_EQ(groups_text(best_groups(trace), trace.fields()), "a,b|c|d") << bytes;
+        EXPECT_EQ(groups_json(best_groups(trace), trace.fields()).dump(), R"([["a","b"],["c"],["d"]])")
+            << bytes;
     }
 }
 
@@ -192,7 +196,7 @@ class Prediction {
     void expect_of_built(const FieldGroups& groups) const {
         const FieldsGroupedBy<StoredField> chosen(groups);
         const SingleCell built(small("grouped_f64", cell_.algorithm()));
-        expect_same(told(groups), asked(built), what_ + " as " + groups_text(groups, trace_.fields()));
+        expect_same(told(groups), asked(built), what_ + " as " + groups_json(groups, trace_.fields()).dump());
         const std::vector<Distance> before = cell_.runner().answer(), after = built.runner().answer();
         ASSERT_EQ(before.size(), after.size());
         for (std::size_t i = 0; i < before.size(); ++i) {
@@ -223,7 +227,7 @@ TEST(FieldPlaces, OfItsOwnGroupsAreATableAsItIs) {
     for (const char* algorithm : {"vclip", "gjk"}) {
         for (const char* table : {"aos_f64", "hot_cold_f64"}) {
             const Prediction prediction(table, algorithm);
-            const auto own = groups_of(prediction.trace().maps.front());
+            const auto own = groups_of(prediction.trace().tables.front());
             ASSERT_TRUE(own) << table;
             prediction.expect_of_itself(*own);
             prediction.expect_of_built(*own);
@@ -249,27 +253,18 @@ TEST(FieldPlaces, OfAnyGroupsAreThoseOfATableBuiltSo) {
 TEST(FieldTrace, RefusesLayoutsWhoseFieldsHaveNoPlace) {
     for (const std::string table : {"lean_f64", "linked_f64"}) {
         const SingleCell cell(small(table, "gjk"));
-        try {
-            static_cast<void>(trace_fields(cell.runner(), 10, table));
-            FAIL();
-        } catch (const std::invalid_argument& problem) {
-            EXPECT_THAT(problem.what(),
-                        HasSubstr(table + ": this layout does not keep its fields in arrays"));
-        }
+        EXPECT_THAT(
+            complaint_of<std::invalid_argument>([&] { return trace_fields(cell.runner(), 10, table); }),
+            HasSubstr(table + ": this layout does not keep its fields in arrays"));
     }
 }
 
 // Files of groups, what is wrong with some, and when advice on fields held.
 
 std::string refusal_of(const std::string& text, const std::vector<RecordField>& fields) {
-    const std::string file = testing::TempDir() + "groups.json";
-    std::ofstream(file) << text;
-    try {
-        static_cast<void>(read_groups(file, fields));
-    } catch (const std::invalid_argument& problem) {
-        return problem.what();
-    }
-    return "";
+    const TemporaryFolder folder;
+    const std::string file = folder.write("groups.json", text);
+    return complaint_of<std::invalid_argument>([&] { return read_groups(file, fields); });
 }
 
 TEST(GroupText, SaysWhatIsWrongWithAFile) {

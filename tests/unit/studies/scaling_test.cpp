@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "../complaint.hpp"
+
 namespace edgewise::studies {
 namespace {
 
@@ -27,15 +29,6 @@ CellChoice small_cell(const char* table, const char* algorithm) {
             .checked = 20};
 }
 
-std::string refusal_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const std::invalid_argument& problem) {
-        return problem.what();
-    }
-    return "";
-}
-
 TEST(Scaling, NumbersOfThreadsGoUpToTheCores) {
     EXPECT_THAT(scaling_threads({}, 1), ElementsAre(1));
     EXPECT_THAT(scaling_threads({}, 8), ElementsAre(1, 2, 4, 8));
@@ -47,7 +40,9 @@ TEST(Scaling, NumbersOfThreadsGoUpToTheCores) {
 
 TEST(Scaling, RefusesMoreThreadsThanCores) {
     for (const int count : {3, 0, -1}) {
-        const std::string why = refusal_of([&] { static_cast<void>(scaling_threads({&count, 1}, 2)); });
+        const std::string why = complaint_of<std::invalid_argument>([&] {
+            return scaling_threads({&count, 1}, 2);
+        });
         EXPECT_THAT(why, HasSubstr("--threads " + std::to_string(count)));
         EXPECT_THAT(why, HasSubstr("has 2 cores"));
         EXPECT_THAT(why, HasSubstr("ask for 1 to 2"));
@@ -65,9 +60,9 @@ TEST(Scaling, RefusesWhatBatchesDoNotAnswer) {
     for (const Needs needs : {Needs::nearer, Needs::features, Needs::certificate}) {
         ScalingPlan plan{small_cell("lean_f64", "gjk")};
         plan.cell.needs = needs;
-        const std::string why = refusal_of([&] {
-            static_cast<void>(measure_scaling(
-                plan, [] {}, std::atomic<bool>(false)));
+        const std::string why = complaint_of<std::invalid_argument>([&] {
+            return measure_scaling(
+                plan, [] {}, std::atomic<bool>(false));
         });
         EXPECT_THAT(why, HasSubstr(std::string(to_string(needs)))) << why;
     }

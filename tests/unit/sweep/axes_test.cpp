@@ -9,12 +9,11 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "../complaint.hpp"
+#include "../temporary_folder.hpp"
 #include "edgewise/input/guarded.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -193,10 +192,8 @@ TEST(SceneNames, OfStudiesAndBeginningsAreFree) {
 
 /// If two runs into one store use different files for a scene, the error names both files.
 TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
-    const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-files";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    store::Store store((folder / "s.db").string());
+    const TemporaryFolder folder;
+    store::Store store(folder / "s.db");
     SweepWork work;
     work.scenes.emplace_back();
     SceneWork& scene = work.scenes.back();
@@ -208,17 +205,13 @@ TEST(SceneNames, OfFilesThatDifferDoNotShareAStore) {
     scene.json = R"({"scene":"cold"})", scene.path = "c2/s.json";
     EXPECT_THAT(complaint_of<std::invalid_argument>([&] { check_scene_files(work, store); }),
                 AllOf(HasSubstr("c1/s.json"), HasSubstr("c2/s.json"), HasSubstr("rename")));
-    std::filesystem::remove_all(folder);
 }
 
 /// A file that is named twice is one scene, for example for other layouts.
 TEST(SceneNames, OfOneFileDoNotMeet) {
-    const auto folder = std::filesystem::temp_directory_path() / "edgewise-scene-names";
-    std::filesystem::create_directories(folder);
-    const std::string path = (folder / "s.json").string(), again = (folder / "." / "s.json").string();
-    std::ofstream(path) << "{}";
+    const TemporaryFolder folder;
+    const std::string path = folder.write("s.json", "{}"), again = folder / "./s.json";
     EXPECT_EQ(complaint({path, again, path}), "");
-    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

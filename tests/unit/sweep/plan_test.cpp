@@ -7,17 +7,15 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "../complaint.hpp"
+#include "../temporary_folder.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -33,24 +31,15 @@ using ::testing::UnorderedElementsAre;
 
 class PlanFile : public ::testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "edgewise-plan-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     [[nodiscard]] std::string write(const std::string& text) const {
-        const std::string path = (folder_ / "mine.json").string();
-        std::ofstream(path) << text;
-        return path;
+        return folder_.write("mine.json", text);
     }
 
     [[nodiscard]] static std::string error_of(const std::string& name) {
         return complaint_of<std::invalid_argument>([&] { return make_plan(name); });
     }
 
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 std::size_t cells(const Plan& plan) {
@@ -289,7 +278,7 @@ TEST_F(PlanFile, LeavesOutOptionalRecordingsThatAreMissing) {
     const auto work_of = [&](const char* optional, std::vector<std::string>& said) {
         const std::string plan = write(fmt::format(
             R"({{"scenes": [{{"name": "{}/none.jsonl.gz"{}}}, {{"name": "cold"}}], "shapes": ["cube8"], "meshes": []}})",
-            folder_.string(), optional));
+            folder_.path().string(), optional));
         return prepare_sweep(make_plan(plan), [&](const std::string& line) { said.push_back(line); });
     };
     std::vector<std::string> said;
@@ -302,7 +291,7 @@ TEST_F(PlanFile, LeavesOutOptionalRecordingsThatAreMissing) {
 TEST_F(PlanFile, BadOnesAreOneClearLine) {
     EXPECT_THAT(error_of("nonesuch"),
                 ::testing::AllOf(HasSubstr("nonesuch"), HasSubstr("quick, paper, full")));
-    const std::string missing = (folder_ / "gone.json").string();
+    const std::string missing = folder_ / "gone.json";
     EXPECT_THAT(error_of(missing), HasSubstr(missing));
     for (const char* text : {"", "{", "{\"queries\": \"many\"}", "{\"scenes\": [{}]}", "{\"shapes\": 3}"}) {
         const std::string path = write(text);

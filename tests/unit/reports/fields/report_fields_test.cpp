@@ -105,8 +105,10 @@ TEST(FieldTables, FillAChapterWhereThereAreAny) {
 }
 
 TEST(CoAccessPicture, EscapesNames) {
-    const std::vector<CoAccessField> fields = {{"a<b", "r"}};
-    const std::string picture = draw_co_access("x & y", fields, {{1}}, {{1}});
+    ReportCell row;
+    row.table = "x & y";
+    add(row, "number.a<b", 0);
+    const std::string picture = field_picture(row);
     EXPECT_THAT(picture, HasSubstr("x &amp; y"));
     EXPECT_THAT(picture, HasSubstr("a&lt;b"));
     EXPECT_THAT(picture, Not(HasSubstr("a<b")));

@@ -108,7 +108,7 @@ TEST_F(Report, ShowsScenesOfAnyName) {
         const std::string label = name + " (bodies 100)";
         EXPECT_EQ(std::ranges::count(answer.shared, label, &SceneRanking::label), 1) << name;
         EXPECT_EQ(rows_with(errors, label), 3U) << name;
-        EXPECT_EQ(time_grid(data, label, PairKind::Separated, "").rows.size(), 3U) << name;
+        EXPECT_EQ(time_grid(data, label, PairKind::Separated).rows.size(), 3U) << name;
         EXPECT_THAT(export_text(data, {.scenes = {name}}), HasSubstr("sweep," + name + ",")) << name;
     }
 }

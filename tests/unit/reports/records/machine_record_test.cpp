@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <stdexcept>
-
+#include "../../complaint.hpp"
 #include "../made_up_data.hpp"
 
 namespace edgewise::reports {
@@ -47,15 +46,6 @@ ReportData data_of_a_sweep() {
     return data;
 }
 
-std::string line_of(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const std::runtime_error& problem) {
-        return problem.what();
-    }
-    return "nothing thrown";
-}
-
 TEST(MachineRecord, HoldsRatiosCachesAndNoNames) {
     ReportData data = data_of_a_sweep();
     data.cells.push_back(cell("linked_f64", 2, 200));
@@ -78,7 +68,7 @@ TEST(MachineRecord, HoldsRatiosCachesAndNoNames) {
         EXPECT_THAT(text, Not(HasSubstr(hidden))) << hidden;
     EXPECT_THAT(text, HasSubstr("32768"));
     EXPECT_EQ(to_json(measure::parse_record(text, "file", machine_kind)), text);
-    EXPECT_THAT(line_of([] { static_cast<void>(measured_record({})); }), HasSubstr("edgewise sweep"));
+    EXPECT_THAT(complaint_of([] { return measured_record({}); }), HasSubstr("edgewise sweep"));
 }
 
 measure::CacheMachine machine_named(const std::string& name) {
@@ -92,7 +82,7 @@ TEST(MachineRecord, OfAModelSaysSo) {
     ASSERT_EQ(record.rows.size(), 6U);
     EXPECT_EQ(record.rows[2].value, 0.4);
     EXPECT_THAT(to_json(record), HasSubstr("no such machine was measured"));
-    EXPECT_THAT(line_of([] { static_cast<void>(modelled_record(data_of_a_sweep(), machine_named("zen2"))); }),
+    EXPECT_THAT(complaint_of([] { return modelled_record(data_of_a_sweep(), machine_named("zen2")); }),
                 HasSubstr("--machines zen2"));
 }
 
