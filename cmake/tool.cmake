@@ -95,7 +95,7 @@ edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene
     src/edgewise/studies/fields/field_trace.cpp src/edgewise/studies/fields/fields.cpp
     src/edgewise/studies/gate/run.cpp src/edgewise/studies/thrash/factorial.cpp src/edgewise/studies/thrash/memory_demand.cpp
     src/edgewise/studies/threads/scaling.cpp src/edgewise/truth/certificate.cpp src/edgewise/truth/exact_distance.cpp
-    src/edgewise/truth/exact_proof.cpp src/edgewise/truth/support_filter.cpp)
+    src/edgewise/truth/exact_proof.cpp src/edgewise/truth/exact_body.cpp)
 if(EDGEWISE_SANITIZE)  # truth is slow and manages no memory by hand: the library's own checks instead of sanitizers
     edgewise_sources(oracle src/edgewise/truth)
     set_source_files_properties(${oracle} PROPERTIES COMPILE_OPTIONS "-O2;-fno-sanitize=all" COMPILE_DEFINITIONS ${EDGEWISE_CHECKED}

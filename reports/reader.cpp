@@ -63,17 +63,13 @@ void name_by_file(std::vector<ReportCell>& cells, const std::map<std::string, st
         const auto found = files.find(cell.scene);
         if (found == files.end()) continue;
         cell.scene_label = scene_label(cell, found->second);
-        const auto json = input::json_or_null(found->second);
-        if (json.is_object() && json.contains("scene") && json["scene"].is_string())
-            cell.scene_kind = json["scene"];
+        cell.scene_kind = input::text_member(input::json_or_null(found->second), "scene");
     }
 }
 
 /// Scenes by name, the rows of other runs, and the cells of scenes from files.
 void sort_out(ReportData& data) {
-    const std::string prefix = store::scene_file_key;
-    for (const auto& [key, value] : data.meta)
-        if (key.starts_with(prefix)) data.scene_files.emplace_back(key.substr(prefix.size()), value);
+    data.scene_files = data.meta_with(store::scene_file_key);
     const std::map<std::string, std::string> files(data.scene_files.begin(), data.scene_files.end());
     const auto of = [](const char* run) { return [run](const ReportCell& cell) { return cell.run == run; }; };
     data.stability = take_out(data.cells, of("stability"));
@@ -113,11 +109,16 @@ std::optional<std::string> ReportData::meta_value(std::string_view key) const {
     return std::nullopt;
 }
 
+std::vector<std::pair<std::string, std::string>> ReportData::meta_with(std::string_view key) const {
+    std::vector<std::pair<std::string, std::string>> found;
+    for (const auto& [name, value] : meta)
+        if (name.starts_with(key)) found.emplace_back(name.substr(key.size()), value);
+    return found;
+}
+
 bool ReportData::any_failed() const {
-    const auto failed = [](const ReportCell& row) { return row.failed(); };
-    return count(store::CellStatus::failed) > 0 || std::ranges::any_of(stability, failed) ||
-           std::ranges::any_of(effort, failed) || std::ranges::any_of(fields, failed) ||
-           std::ranges::any_of(other_studies, failed);
+    return std::ranges::any_of(cells_in({&cells, &from_files, &stability, &effort, &fields, &other_studies}),
+                               [](const ReportCell* row) { return row->failed(); });
 }
 
 ReportData read_report(const std::string& store, const std::string& build, const store::OnCell& on_cell) {
@@ -163,7 +164,7 @@ std::string label(const std::string& scene, const std::vector<std::string>& insi
 
 /// The parameter that a scene file varies; empty: none.
 std::string varied_by(const SceneLabelJson& file) {
-    const SceneLabelJson vary = file.is_object() ? file.value("vary", SceneLabelJson()) : SceneLabelJson();
+    const SceneLabelJson vary = input::member_of(file, "vary");
     return vary.is_object() && !vary.empty() ? vary.begin().key() : std::string();
 }
 
@@ -223,10 +224,8 @@ constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
 std::span<const SceneStandard> scene_standards() { return standards; }
 
 std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
-    const SceneLabelJson parameters = input::json_or_null(cell.scene_parameters);
-    if (!parameters.is_object() || !parameters.contains(name) || !parameters[name].is_number())
-        return std::nullopt;
-    return parameters[name].get<double>();
+    const SceneLabelJson number = input::member_of(input::json_or_null(cell.scene_parameters), name);
+    return number.is_number() ? std::optional(number.get<double>()) : std::nullopt;
 }
 
 std::string scene_label(const store::CellRow& cell, const std::string& file_text) {

@@ -56,6 +56,8 @@ struct ReportData {
     [[nodiscard]] bool any_failed() const;                            ///< cell or stability row
     /// Returns the value of `meta` for a key; null if there is none.
     [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
+    /// Returns the names that follow a key (store/schema.hpp), with their values; by name.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> meta_with(std::string_view key) const;
 };
 
 /// Reads one build as store::read_build does.

@@ -33,22 +33,15 @@ namespace {
 
 /// Returns the sweeps of the build that is shown.
 std::vector<SweepRun> sweep_runs(const ReportData& data) {
-    const std::string prefix = store::run_key;
     std::vector<SweepRun> runs;
-    for (const auto& [key, value] : data.meta) {
-        if (!key.starts_with(prefix)) continue;
+    for (const auto& [command, value] : data.meta_with(store::run_key)) {
         const auto json = input::json_or_null(value);
-        const auto text = [&](const char* name) {
-            return json.is_object() && json.contains(name) && json[name].is_string()
-                       ? json[name].get<std::string>()
-                       : std::string();
-        };
-        if (text("build") != data.build.id) continue;
+        if (input::text_member(json, "build") != data.build.id) continue;
         const auto count = [&](const char* name) {
             return json.contains(name) && json[name].is_number_unsigned() ? json[name].get<std::size_t>() : 0;
         };
-        runs.push_back(
-            {key.substr(prefix.size()), count("cells"), count("done"), text("started"), text("ended")});
+        runs.push_back({command, count("cells"), count("done"), input::text_member(json, "started"),
+                        input::text_member(json, "ended")});
     }
     return runs;
 }

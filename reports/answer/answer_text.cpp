@@ -144,20 +144,19 @@ namespace {
 using UnitsJson = nlohmann::json;
 
 std::string cpu_name(const UnitsJson& machine) {
-    const UnitsJson cpu = machine.is_object() ? machine.value("cpu", UnitsJson()) : UnitsJson();
-    if (cpu.is_string()) return cpu.get<std::string>();
-    if (cpu.is_object() && cpu.contains("name") && cpu["name"].is_string()) return cpu["name"];
-    return "a processor that the store does not name";
+    const UnitsJson cpu = input::member_of(machine, "cpu"), name = input::member_of(cpu, "name");
+    if (cpu.is_string()) return cpu;
+    return name.is_string() ? name.get<std::string>() : "a processor that the store does not name";
 }
 
 std::vector<std::string> data_caches(const UnitsJson& machine) {
     std::vector<std::string> sizes;
-    const UnitsJson caches = machine.is_object() ? machine.value("caches", UnitsJson()) : UnitsJson();
+    const UnitsJson caches = input::member_of(machine, "caches");
     if (!caches.is_array()) return sizes;
     for (const UnitsJson& cache : caches) {
-        if (!cache.is_object() || !cache.contains("bytes") || !cache["bytes"].is_number()) continue;
-        if (cache.contains("type") && cache["type"] == "Instruction") continue;
-        sizes.push_back(size_text(cache["bytes"].get<double>()));
+        const UnitsJson bytes = input::member_of(cache, "bytes");
+        if (!bytes.is_number() || input::member_of(cache, "type") == "Instruction") continue;
+        sizes.push_back(size_text(bytes.get<double>()));
     }
     return sizes;
 }
@@ -232,6 +231,17 @@ AnswerJson noise_json(const Answer& answer) {
                       : AnswerJson{{"low", widest.low()}, {"high", widest.high()}, {"cells", cells}};
 }
 
+AnswerJson ranked_json(const RankedCell& cell) {
+    return {{"algorithm", cell.cell->algorithm},
+            {"table", cell.table},
+            {"ns", cell.ns},
+            {"time_ratio", {cell.low(), cell.ratio, cell.high()}},
+            {"bytes_per_edge", or_null(cell.bytes_per_edge)},
+            {"table_bytes", or_null(cell.table_bytes)},
+            {"lines_per_query", or_null(cell.lines_per_query)},
+            {"error", or_null(cell.worst_error)}};
+}
+
 AnswerJson scene_json(const SceneRanking& scene) {
     AnswerJson json = {{"scene", scene.label},
                        {"sentence", scene.sentence},
@@ -277,17 +287,6 @@ AnswerJson dropped_json(const SceneRanking& scene) {
 }
 
 }  // namespace
-
-AnswerJson ranked_json(const RankedCell& cell) {
-    return {{"algorithm", cell.cell->algorithm},
-            {"table", cell.table},
-            {"ns", cell.ns},
-            {"time_ratio", {cell.low(), cell.ratio, cell.high()}},
-            {"bytes_per_edge", or_null(cell.bytes_per_edge)},
-            {"table_bytes", or_null(cell.table_bytes)},
-            {"lines_per_query", or_null(cell.lines_per_query)},
-            {"error", or_null(cell.worst_error)}};
-}
 
 std::string measuring_command(const Answer& answer, std::optional<bool> own_tables) {
     if (!own_tables) own_tables = answer.question.own_tables;

@@ -64,9 +64,6 @@ struct AnswerText {
 /// were not measured are null.
 [[nodiscard]] nlohmann::json answer_json(const Answer& answer);
 
-/// Returns algorithm, table, ns, time_ratio [low, mid, high], bytes_per_edge, lines_per_query, error.
-[[nodiscard]] nlohmann::json ranked_json(const RankedCell& cell);
-
 /// Returns the `edgewise advise` that measures what this question asks for; for one kind of tables if
 /// `own_tables` is given.
 [[nodiscard]] std::string measuring_command(const Answer& answer, std::optional<bool> own_tables = {});

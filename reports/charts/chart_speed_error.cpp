@@ -59,7 +59,7 @@ ChartJson speed_error_row(const FrontPoint& point) {
     ChartJson row = cell_json(cell);
     row["holder"] = cell.layout;  // a layout, or a library
     row["kind"] = cell.judged() ? another_library : cell.algorithm;
-    if (const std::string gap = gap_tolerance_of(cell); !gap.empty()) row["tolerance"] = gap;
+    if (const auto gap = cell.axis("gap_tolerance")) row["tolerance"] = *gap;
     row["ns"] = point.ns;
     for (std::size_t kind = 0; kind < error_kind_count; ++kind) {
         const auto& error = point.errors[kind];
@@ -74,8 +74,8 @@ void add_rows_of(const FrontPanel& panel, ChartJson& rows) {
     std::set<std::string> labelled;
     for (const FrontPoint& point : panel.points) {
         rows.push_back(speed_error_row(point));
-        const std::string gap = gap_tolerance_of(*point.cell);
-        if (!gap.empty() && labelled.insert(gap).second) rows.back()["label"] = "gap " + gap;
+        const auto gap = point.cell->axis("gap_tolerance");
+        if (gap && labelled.insert(*gap).second) rows.back()["label"] = "gap " + *gap;
     }
 }
 

@@ -73,9 +73,9 @@ ChartJson fill(const ChartJson& node, const Scope& scope) {
     return list;
 }
 
-}  // namespace
-
 ChartJson spec_file(const std::string& name) { return ChartJson::parse(report_text(name + ".vl.json")); }
+
+}  // namespace
 
 ChartJson fill_spec(const ChartJson& file, const ChartJson& slots) {
     const ChartJson shared = spec_file("shared"), parts = file.value("parts", ChartJson::object());
@@ -217,12 +217,6 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) 
     notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; the store has them all.", kept.size(),
                                 values.size(), step));
     values = std::move(kept);
-}
-
-void Omissions::add(const std::string& reason) {
-    for (auto& [known, count] : counts_)
-        if (known == reason) return void(++count);
-    counts_.emplace_back(reason, 1);
 }
 
 std::optional<double> Omissions::positive(const measure::Figure& figure, const char* when_zero,

@@ -29,9 +29,6 @@ namespace edgewise::reports {
 /// Members keep the order in which they were added: the specifications stay readable.
 using ChartJson = nlohmann::ordered_json;
 
-/// The parsed file NAME.vl.json.
-[[nodiscard]] ChartJson spec_file(const std::string& name);
-
 /// The specification of a chart file, filled; throws std::out_of_range at a name that nothing has.
 [[nodiscard]] ChartJson fill_spec(const ChartJson& file, const ChartJson& slots);
 
@@ -63,14 +60,14 @@ inline constexpr std::size_t mark_limit = 20000;
 /// Counts omitted values by reason, and writes one note for each reason.
 class Omissions {
   public:
-    void add(const std::string& reason);
+    void add(const std::string& reason) { ++counts_[reason]; }
     /// Returns the number if a logarithmic axis can show it; else null, and counts the reason, after `what`.
     [[nodiscard]] std::optional<double> positive(const measure::Figure& figure, const char* when_zero,
                                                  const std::string& what = {});
     void write(const std::string& noun, std::vector<std::string>& notes) const;
 
   private:
-    std::vector<std::pair<std::string, std::size_t>> counts_;
+    nlohmann::ordered_map<std::string, std::size_t> counts_;
 };
 /// A chart's data while they are collected, and the reasons for values that are missing.
 struct ChartRows {

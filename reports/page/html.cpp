@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "edgewise/input/file_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -149,12 +150,6 @@ bool is_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 bool is_name_or_digit(char c) { return is_name(c) || (c >= '0' && c <= '9'); }
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
-/// Returns true if the text has the word in upper or lower case; `word` itself is in lower case.
-bool holds_word(std::string_view text, std::string_view word) {
-    const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
-}
-
 /// Returns true for an attribute that only the charts of the live page need.
 bool is_dropped(std::string_view attribute) {
     constexpr std::array<std::string_view, 7> dropped = {
@@ -217,11 +212,11 @@ class SvgScanner {
         if (!is_among(plain_attributes, take_name()) || !take("=\"")) return false;
         const std::size_t end = rest_.find('"');
         if (end == rest_.npos) return false;
-        const std::string_view value = rest_.substr(0, end);
+        const std::string value = lower_case(rest_.substr(0, end));
         rest_.remove_prefix(end + 1);
         // url(...) would load, in letters of either case, and an entity could spell it.
-        return value.find_first_of("<>&\\") == value.npos && !holds_word(value, "url") &&
-               !holds_word(value, "script");
+        return value.find_first_of("<>&\\") == value.npos && value.find("url") == value.npos &&
+               value.find("script") == value.npos;
     }
 
     std::string_view rest_;

@@ -127,11 +127,8 @@ std::string pdf_of(const Chart& chart, const StaticPictures& pictures, const fs:
 /// The sweeps that this build put into the store, as commands.
 std::string commands_of(const ReportData& data) {
     std::string lines;
-    const std::string prefix = store::command_key;
-    for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(prefix) && value == data.build.id)
-            lines += "    edgewise " + key.substr(prefix.size()) + "\n";
-    }
+    for (const auto& [command, build] : data.meta_with(store::command_key))
+        if (build == data.build.id) lines += "    edgewise " + command + "\n";
     if (!lines.empty()) return lines;
     return fmt::format("    (the store does not say; it is of plan {}, seed {})\n",
                        data.meta_value("plan").value_or("?"), data.meta_value("seed").value_or("?"));

@@ -238,17 +238,13 @@ std::string plot_label(const SceneRanking& scene, const std::vector<std::size_t>
 
 std::vector<std::size_t> front_of_time_and_bytes(const SceneRanking& scene) {
     std::vector<SpeedError> plane;
-    std::vector<std::size_t> within;
-    for (std::size_t i = 0; i < scene.cells.size(); ++i) {
-        const RankedCell& one = scene.cells[i];
-        if (!one.meets_error() || !one.bytes_per_edge) continue;
-        plane.push_back({one.ratio, *one.bytes_per_edge});
-        within.push_back(i);
-    }
+    for (const RankedCell& one : scene.cells)
+        plane.push_back(
+            {one.ratio, one.meets_error() ? one.bytes_per_edge.value_or(on_no_front) : on_no_front});
     const std::vector<bool> on_front = pareto_front(plane);
     std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < within.size(); ++i)
-        if (on_front[i]) front.push_back(within[i]);
+    for (std::size_t i = 0; i < plane.size(); ++i)
+        if (on_front[i]) front.push_back(i);
     std::ranges::sort(front, [&](std::size_t a, std::size_t b) {
         return *scene.cells[a].bytes_per_edge < *scene.cells[b].bytes_per_edge;
     });

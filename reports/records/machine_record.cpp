@@ -43,22 +43,21 @@ std::string text_of(const nlohmann::json& value) {
 
 /// What of `edgewise machine --json` explains a ratio.
 measure::Conditions facts_in(const std::string& machine_json) {
+    using input::member_of;
     const nlohmann::json machine = input::json_or_null(machine_json);
-    const auto part = [&](const nlohmann::json& from, const char* name) {
-        return from.is_object() && from.contains(name) ? from[name] : nlohmann::json();
-    };
-    const nlohmann::json cpu = part(machine, "cpu"), name = part(cpu, "name");
+    const nlohmann::json cpu = member_of(machine, "cpu"), name = member_of(cpu, "name");
     measure::Conditions facts = {{"machine", name.is_string() ? text_of(name) : "unknown processor"},
                                  {"times", "measured"}};
     for (const char* member :
          {"vendor", "family", "model", "stepping", "cores", "threads", "vector_extensions"})
-        if (const nlohmann::json value = part(cpu, member); !value.is_null())
+        if (const nlohmann::json value = member_of(cpu, member); !value.is_null())
             facts.emplace_back(fmt::format("cpu.{}", member), text_of(value));
-    for (const nlohmann::json& cache : part(machine, "caches"))
+    for (const nlohmann::json& cache : member_of(machine, "caches"))
         facts.emplace_back(
-            fmt::format("cache.L{} {}", text_of(part(cache, "level")), text_of(part(cache, "type"))),
-            fmt::format("{} bytes, {} ways, lines of {}", text_of(part(cache, "bytes")),
-                        text_of(part(cache, "ways")), text_of(part(cache, "line_bytes"))));
+            fmt::format("cache.L{} {}", text_of(member_of(cache, "level")),
+                        text_of(member_of(cache, "type"))),
+            fmt::format("{} bytes, {} ways, lines of {}", text_of(member_of(cache, "bytes")),
+                        text_of(member_of(cache, "ways")), text_of(member_of(cache, "line_bytes"))));
     return facts;
 }
 

@@ -15,6 +15,7 @@
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
 
@@ -164,25 +165,20 @@ void add_waiting(const ReportData& data, const std::vector<std::string>& levels,
 
 }  // namespace
 
-TextGrid misses_grid(const ReportData& data, const std::string& only) {
-    std::map<std::string, std::vector<std::string>> levels;
-    for (const std::string& machine : modelled_machines(data))
-        if (only.empty() || machine == only) levels[machine] = levels_of(data, machine);
+TextGrid misses_grid(const ReportData& data, const std::string& machine) {
+    const std::vector<std::string> levels = levels_of(data, machine);
     std::vector<FigureColumn> columns;
-    for (const auto& [machine, of_machine] : levels) {
-        for (const std::string& level : of_machine)
-            columns.push_back(
-                {fmt::format("{} {}", machine, level), store::level_misses.all.of(machine, level)});
-        columns.push_back({machine + " memory, ns", store::memory_time.all.of(machine)});
-        columns.push_back({machine + " memory, ns (warm starts)", store::memory_time.of(machine).warm()});
-    }
+    for (const std::string& level : levels)
+        columns.push_back({fmt::format("{} {}", machine, level), store::level_misses.all.of(machine, level)});
+    columns.push_back({machine + " memory, ns", store::memory_time.all.of(machine)});
+    columns.push_back({machine + " memory, ns (warm starts)", store::memory_time.of(machine).warm()});
     TextGrid grid =
         cache_grid(data,
                    "Misses per query in the steady pass, by machine and level, of all queries, a pair's cold "
                    "first one too; memory time is a "
                    "model, with * one of latencies that no source proves",
                    columns);
-    if (only == this_machine) add_waiting(data, levels[only], grid);
+    if (machine == this_machine) add_waiting(data, levels, grid);
     return grid;
 }
 

@@ -119,10 +119,7 @@ TextGrid members_grid(std::string caption, const FactsJson& facts, const FactsJs
     FactsJson rows = FactsJson::array();
     if (facts.is_object())
         for (const auto& [key, value] : facts.items())
-            rows.push_back(
-                {{"fact", key},
-                 {"value", value},
-                 {"reason", unreadable.is_object() ? unreadable.value(key, FactsJson()) : FactsJson()}});
+            rows.push_back({{"fact", key}, {"value", value}, {"reason", input::member_of(unreadable, key)}});
     if (!facts.is_object() && !facts.is_null()) rows.push_back({{"fact", caption}, {"value", facts}});
     TextGrid grid = member_grid(rows, "fact|value");
     grid.caption = std::move(caption), grid.shown_rows = rows.size();
@@ -148,9 +145,7 @@ std::string seeds(const ReportData& data) {
 }  // namespace
 
 std::vector<TextGrid> machine_grids(const FactsJson& machine) {
-    const auto part = [&](const char* key) {
-        return machine.is_object() && machine.contains(key) ? machine[key] : FactsJson();
-    };
+    const auto part = [&](const char* key) { return input::member_of(machine, key); };
     FactsJson further = machine;
     for (const char* apart : {"cpu", "caches", "cores", "counters", "unreadable"})
         if (further.is_object()) further.erase(apart);
@@ -323,7 +318,7 @@ TextGrid stability_summary_grid(const ReportData& data) {
 
 TextGrid stability_grid(const ReportData& data) {
     return cell_grid("Family by family", "family|algorithm|table type|status", stability_columns,
-                     data.stability);
+                     cells_in({&data.stability}));
 }
 
 }  // namespace edgewise::reports

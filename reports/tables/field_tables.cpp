@@ -132,30 +132,23 @@ std::string field_verdict(const ReportData& data) {
         rows, lines_right, faster, slower, rows - faster - slower);
 }
 
-std::string field_picture(const ReportCell& row) {
-    constexpr store::FigureName own("fields.own_group.{field}"), step_part("fields.step_part.{field}"),
-        same_query("fields.same_query.{field}.{other}"), same_step("fields.same_step.{field}.{other}");
-    const std::vector<std::string> names = fields_of(row);
-    std::vector<CoAccessField> fields;
-    CoAccessParts by_query(names.size(), std::vector<double>(names.size())), by_step = by_query;
-    const auto value = [&](const store::FigureName& name) { return row.figure(name).value.value_or(0); };
-    for (std::size_t a = 0; a < names.size(); ++a) {
-        fields.push_back({names[a], fmt::format("{}", value(own.of(names[a])))});
-        by_step[a][a] = value(step_part.of(names[a]));
-        for (std::size_t b = a + 1; b < names.size(); ++b) {
-            by_query[a][b] = by_query[b][a] = value(same_query.of(names[a], names[b]));
-            by_step[a][b] = by_step[b][a] = value(same_step.of(names[a], names[b]));
-        }
-    }
-    return draw_co_access(fmt::format("{} {}, {} {}", row.table, row.algorithm, row.scene_label, row.shape),
-                          fields, by_query, by_step);
-}
-
 namespace {
 
 constexpr int square = 26, left_margin = 118, top_margin = 150, letter_width = 6;
 
 int at(std::size_t place) { return static_cast<int>(place) * square; }
+
+/// The part that a square shows: above the diagonal of queries that read either field those that read both,
+/// below it likewise of steps, on it the steps that read the field.
+double shown_part(const ReportCell& row, const std::vector<std::string>& fields, std::size_t a,
+                  std::size_t b) {
+    constexpr store::FigureName step_part("fields.step_part.{field}"),
+        same_query("fields.same_query.{field}.{other}"), same_step("fields.same_step.{field}.{other}");
+    const store::FigureName name = a == b  ? step_part.of(fields[a])
+                                   : a < b ? same_query.of(fields[a], fields[b])
+                                           : same_step.of(fields[b], fields[a]);
+    return row.figure(name).value.value_or(0);
+}
 
 /// A square, its number in hundredths, and what it means when pointed at.
 std::string cell(std::size_t row, std::size_t column, double part, const std::string& what) {
@@ -167,10 +160,10 @@ std::string cell(std::size_t row, std::size_t column, double part, const std::st
         0.75 * part, x + square / 2, y + square / 2 + 3, 100 * part);
 }
 
-std::string labels(std::span<const CoAccessField> fields) {
+std::string labels(const std::vector<std::string>& fields) {
     std::string text;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        const std::string name = html_text(fields[i].name);
+        const std::string name = html_text(fields[i]);
         const int middle = at(i) + square / 2;
         text += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n", left_margin - 6,
                             top_margin + middle + 4, name);
@@ -180,12 +173,12 @@ std::string labels(std::span<const CoAccessField> fields) {
     return text;
 }
 
-/// Around the fields of each record.
-std::string frames(std::span<const CoAccessField> fields) {
+/// Around the fields of each record; `records`: the number of each field's.
+std::string frames(const std::vector<double>& records) {
     std::string text;
-    for (std::size_t first = 0; first < fields.size();) {
+    for (std::size_t first = 0; first < records.size();) {
         std::size_t last = first + 1;
-        while (last < fields.size() && fields[last].record == fields[first].record) ++last;
+        while (last < records.size() && records[last] == records[first]) ++last;
         text += fmt::format(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"currentColor\"/>\n",
             left_margin + at(first), top_margin + at(first), at(last - first) - 1, at(last - first) - 1);
@@ -196,18 +189,22 @@ std::string frames(std::span<const CoAccessField> fields) {
 
 }  // namespace
 
-std::string draw_co_access(const std::string& title, std::span<const CoAccessField> fields,
-                           const CoAccessParts& by_query, const CoAccessParts& by_step) {
+std::string field_picture(const ReportCell& row) {
+    const std::vector<std::string> fields = fields_of(row);
+    std::vector<double> records;
     std::string body;
-    for (std::size_t row = 0; row < fields.size(); ++row)
-        for (std::size_t column = 0; column < fields.size(); ++column) {
-            const bool of_query = column > row;
-            const std::string& a = fields[row].name;
-            const std::string what = row == column ? fmt::format("steps that read {}", a)
-                                                   : fmt::format("{} and {}, same {}", a, fields[column].name,
-                                                                 of_query ? "query" : "step");
-            body += cell(row, column, (of_query ? by_query : by_step)[row][column], what);
+    for (std::size_t a = 0; a < fields.size(); ++a) {
+        constexpr store::FigureName own("fields.own_group.{field}");
+        records.push_back(row.figure(own.of(fields[a])).value.value_or(0));
+        for (std::size_t b = 0; b < fields.size(); ++b) {
+            const std::string what =
+                a == b ? fmt::format("steps that read {}", fields[a])
+                       : fmt::format("{} and {}, same {}", fields[a], fields[b], a < b ? "query" : "step");
+            body += cell(a, b, shown_part(row, fields, a, b), what);
         }
+    }
+    const std::string title =
+        fmt::format("{} {}, {} {}", row.table, row.algorithm, row.scene_label, row.shape);
     const std::string caption =
         "hundredths of what reads either field; above the diagonal same query, below same step, framed: a record";
     const int side = at(fields.size()), letters = static_cast<int>(std::max(title.size(), caption.size()));
@@ -220,7 +217,7 @@ std::string draw_co_access(const std::string& title, std::span<const CoAccessFie
     const std::string heading = fmt::format(
         "<title>{0}</title>\n<text x=\"8\" y=\"16\" font-weight=\"bold\">{0}</text>\n", html_text(title));
     return start + style + heading + fmt::format("<text x=\"8\" y=\"32\">{}</text>\n", caption) + body +
-           labels(fields) + frames(fields) + "</svg>\n";
+           labels(fields) + frames(records) + "</svg>\n";
 }
 
 }  // namespace edgewise::reports

@@ -50,14 +50,10 @@ std::string read_point(const ReportCell& cell, FrontPoint& point) {
 
 void find_front(std::vector<FrontPoint>& points, std::size_t kind) {
     std::vector<SpeedError> plane;
-    std::vector<FrontPoint*> whose;
-    for (FrontPoint& point : points) {
-        if (!point.errors[kind]) continue;
-        plane.push_back({point.ns, *point.errors[kind]});
-        whose.push_back(&point);
-    }
+    for (const FrontPoint& point : points)
+        plane.push_back({point.ns, point.errors[kind].value_or(on_no_front)});
     const std::vector<bool> front = pareto_front(plane);
-    for (std::size_t i = 0; i < whose.size(); ++i) whose[i]->on_front[kind] = front[i];
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].on_front[kind] = front[i];
 }
 
 }  // namespace
@@ -65,8 +61,6 @@ void find_front(std::vector<FrontPoint>& points, std::size_t kind) {
 bool FrontPoint::on_any_front() const {
     return std::ranges::any_of(on_front, [](bool on) { return on; });
 }
-
-std::string gap_tolerance_of(const ReportCell& cell) { return cell.axis("gap_tolerance").value_or(""); }
 
 Fronts fronts_of(const ReportData& data) {
     const std::vector<std::string> scenes = scene_labels(data);

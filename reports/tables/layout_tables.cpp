@@ -10,13 +10,11 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
-#include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
 
@@ -188,15 +186,6 @@ TextGrid scale_grid(const ReportData& data) {
                  cell.figure("scale.refit_ns"), cell.figure("scale.worst_error"));
     }
     return grid;
-}
-
-std::vector<Drawing> drawings(const ReportData& data) {
-    constexpr std::string_view prefix = store::drawing_key;
-    std::vector<Drawing> result;
-    for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(prefix)) result.push_back({key.substr(prefix.size()), value});
-    }
-    return result;
 }
 
 namespace {

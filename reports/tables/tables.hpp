@@ -69,8 +69,8 @@ enum class PairKind { Separated, Overlapping };
 /// Machines with figures, in order of name; not those under another policy.
 [[nodiscard]] std::vector<std::string> modelled_machines(const ReportData& data);
 
-/// Misses per query in each level of a machine, and the modelled memory time; an empty name: of all machines.
-[[nodiscard]] TextGrid misses_grid(const ReportData& data, const std::string& machine = {});
+/// Misses per query in each level of a machine, and the modelled memory time.
+[[nodiscard]] TextGrid misses_grid(const ReportData& data, const std::string& machine);
 /// Misses of one machine by level and cause, cold and warm.
 [[nodiscard]] TextGrid causes_grid(const ReportData& data, const std::string& machine);
 /// Returns the levels of a machine that have misses by field and step.
@@ -104,15 +104,8 @@ struct SeededCell {
 /// Returns time, steps and lines of the cells of seeded_cells.
 [[nodiscard]] TextGrid seeds_grid(const ReportData& data);
 
-/// A picture that the sweep stored: the table that it shows, and the SVG.
-struct Drawing {
-    std::string table, svg;
-};
-[[nodiscard]] std::vector<Drawing> drawings(const ReportData& data);
-
-/// Cells of one scene, by shape and then fastest first; an empty `shape` means all of them.
-[[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
-                                 const std::string& shape);
+/// Cells of one scene, by shape and then fastest first.
+[[nodiscard]] TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind);
 
 /// Returns the libraries: version, query, what a pair keeps, flags.
 [[nodiscard]] TextGrid peers_grid(const ReportData& data);
@@ -168,24 +161,10 @@ struct RatioInterval {
 /// Says in one sentence how often advice held in lines and in time, over all rows.
 [[nodiscard]] std::string field_verdict(const ReportData& data);
 
-/// The matrix of one row, as an SVG.
+/// Which fields of one row are read together, as an SVG: a matrix of squares, above the diagonal by the same
+/// query, below it by the same step. One colour, the more of it the more often, and text in the colour of its
+/// surroundings: it reads on white and on black. Fields of one record are adjacent and framed.
 [[nodiscard]] std::string field_picture(const ReportCell& row);
-
-// Which fields are read together, as a picture: a matrix of squares, above the diagonal by the same query,
-// below it by the same step. One colour, the more of it the more often, and text in the colour of its
-// surroundings: it reads on white and on black.
-
-struct CoAccessField {
-    std::string name, record;
-};
-
-/// Parts from 0 to 1 of what read either field that read both, at [a][b] and [b][a]; at [a][a] of queries or
-/// steps that read the field.
-using CoAccessParts = std::vector<std::vector<double>>;
-
-/// Returns the matrix as SVG. Fields of one record are adjacent and framed.
-[[nodiscard]] std::string draw_co_access(const std::string& title, std::span<const CoAccessField> fields,
-                                         const CoAccessParts& by_query, const CoAccessParts& by_step);
 
 // Times next to errors, panel by panel: the cells of one scene and shape that answer the same question, ours
 // and other libraries', and which of them are on the Pareto front of time and error: those that nothing beats
@@ -197,7 +176,10 @@ struct SpeedError {
     double ns, error;
 };
 
-/// Returns true for each point that no point dominates. A point with a NaN is on no front and dominates none.
+/// The error of a point that takes no part: a point with a NaN is on no front and dominates none.
+inline constexpr double on_no_front = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns true for each point that no point dominates.
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const SpeedError> points);
 
 /// One way to sum up a cell's errors.
@@ -233,8 +215,5 @@ struct Fronts {
 
 /// Returns the fronts over all timed cells. The data must outlive the result.
 [[nodiscard]] Fronts fronts_of(const ReportData& data);
-
-/// The value of `gap_tolerance` among a cell's axes, as text; empty where there is none.
-[[nodiscard]] std::string gap_tolerance_of(const ReportCell& cell);
 
 }  // namespace edgewise::reports

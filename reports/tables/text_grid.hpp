@@ -103,18 +103,16 @@ void add_row(TextGrid& grid, std::vector<GridCell> names, const ReportCell& cell
 /// Returns a cell's value for a name with which rows begin: "scene", "shape", "table type", ...
 [[nodiscard]] GridCell name_cell(const ReportCell& cell, std::string_view name);
 inline constexpr std::string_view cell_names = "scene|shape|algorithm|table type";
-[[nodiscard]] inline const ReportCell& cell_in(const ReportCell& cell) { return cell; }
-[[nodiscard]] inline const ReportCell& cell_in(const ReportCell* cell) { return *cell; }
 /// A row for each cell: its names, each by its column's title, then its figures.
-template <class Cells, class FigureColumns>
+template <class FigureColumns>
 [[nodiscard]] TextGrid cell_grid(std::string caption, std::string_view names, const FigureColumns& columns,
-                                 const Cells& cells) {
+                                 const std::vector<const ReportCell*>& cells) {
     TextGrid grid = figure_grid(std::move(caption), names, columns);
     const std::vector<GridColumn> named = columns_of(names);
-    for (const auto& cell : cells) {
+    for (const ReportCell* cell : cells) {
         std::vector<GridCell> row;
-        for (const GridColumn& name : named) row.push_back(name_cell(cell_in(cell), name.title));
-        add_row(grid, std::move(row), cell_in(cell), columns);
+        for (const GridColumn& name : named) row.push_back(name_cell(*cell, name.title));
+        add_row(grid, std::move(row), *cell, columns);
     }
     return grid;
 }

@@ -81,15 +81,13 @@ std::vector<GridCell> time_row(const ReportCell& cell, PairKind kind) {
 
 }  // namespace
 
-TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind,
-                   const std::string& shape) {
+TextGrid time_grid(const ReportData& data, const std::string& scene_label, PairKind kind) {
     TextGrid grid{
-        fmt::format("{}, {} pairs{}, fastest first", scene_label, pair_name(kind),
-                    shape.empty() ? ": by shape" : ", " + shape),
+        fmt::format("{}, {} pairs: by shape, fastest first", scene_label, pair_name(kind)),
         columns_of("shape|#vertices|algorithm|table type|#ns per query|#95 % interval|#ratio to baseline|"
                    "#95 % interval|#rounds")};
     std::vector<std::pair<double, const ReportCell*>> cells;
-    for (const ReportCell* cell : verified_cells(data, shape, scene_label))
+    for (const ReportCell* cell : verified_cells(data, {}, scene_label))
         cells.emplace_back(or_infinity(*cell, times_of(kind).ns), cell);
     std::ranges::stable_sort(cells, {}, [](const auto& one) {
         return std::tie(one.second->vertices, one.second->shape, one.first);
@@ -168,10 +166,7 @@ std::vector<GridCell> row_of(const ReportCell& cell, const ReportCell* peer) {
 
 TextGrid peers_grid(const ReportData& data) {
     TextGrid grid{"Other libraries", columns_of("adapter|library, query, cache and flags")};
-    for (const auto& [key, value] : data.meta) {
-        constexpr std::string_view prefix = store::peer_key;
-        if (key.starts_with(prefix)) grid.add(key.substr(prefix.size()), value);
-    }
+    for (const auto& [adapter, library] : data.meta_with(store::peer_key)) grid.add(adapter, library);
     return grid;
 }
 

@@ -21,6 +21,7 @@
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"
+#include "edgewise/store/schema.hpp"
 
 namespace edgewise::reports {
 
@@ -36,8 +37,6 @@ ChapterBlock walk_block(const BodyWalk& walk) {
                 fmt::runtime(report_text("page.walk.html")), fmt::arg("title", html_text(walk.title)),
                 fmt::arg("said", html_text(walk.said.back())), fmt::arg("figures", figures))};
 }
-
-}  // namespace
 
 Chapter body_chapter(const Answer&, const ReportData& data) {
     Chapter chapter{.id = "body", .title = "Where on the body is the work?", .link = "The body"};
@@ -61,6 +60,8 @@ Chapter body_chapter(const Answer&, const ReportData& data) {
     return chapter;
 }
 
+}  // namespace
+
 ChapterBlock folded(TextGrid grid, const std::string& what) {
     std::string line = fmt::format("{} ({})", what, plural(grid.rows.size(), "row"));
     return {.grids = {std::move(grid)}, .fold = std::move(line)};
@@ -81,12 +82,12 @@ Chapter bytes_chapter(const Answer&, const ReportData& data) {
 /// Drawings that hold more than plain shapes are left out, and said to be.
 ChapterBlock drawings_block(const ReportData& data) {
     std::string pictures;
-    for (const Drawing& drawing : drawings(data)) {
-        const auto safe = safe_svg(drawing.svg);
+    for (const auto& [table, svg] : data.meta_with(store::drawing_key)) {
+        const auto safe = safe_svg(svg);
         pictures += safe
                         ? "<div class=\"wide drawing\" tabindex=\"0\" role=\"group\" aria-label=\"table of " +
-                              html_text(drawing.table) + "\">" + *safe + "</div>\n"
-                        : html_paragraph("The stored picture of " + drawing.table +
+                              html_text(table) + "\">" + *safe + "</div>\n"
+                        : html_paragraph("The stored picture of " + table +
                                          " holds more than shapes and text, and is not shown.");
     }
     if (pictures.empty()) return {};
@@ -192,7 +193,7 @@ Chapter times_chapter(const Answer& answer, const ReportData& data) {
         std::vector<TextGrid> scenes;
         std::size_t rows = 0;
         for (const std::string& scene : scene_labels(data)) {
-            TextGrid grid = time_grid(data, scene, kind, "");
+            TextGrid grid = time_grid(data, scene, kind);
             rows += grid.rows.size();
             if (!grid.rows.empty()) scenes.push_back(std::move(grid));
         }

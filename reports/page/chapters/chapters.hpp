@@ -43,7 +43,6 @@ struct Chapter {
 
 /// Chapters of the studies without one of their own, by name: one grid each, as the store describes it.
 [[nodiscard]] std::vector<Chapter> study_chapters(const ReportData& data);
-[[nodiscard]] Chapter body_chapter(const Answer& answer, const ReportData& data);
 
 [[nodiscard]] Chapter break_even_chapter(const Answer& answer, const ReportData& data);
 

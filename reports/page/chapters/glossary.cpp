@@ -7,6 +7,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
@@ -18,11 +19,6 @@ namespace edgewise::reports {
 namespace {
 
 bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-std::string lower_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 std::string trimmed(const std::string& text) {
     const auto first = text.find_first_not_of(" \n"), last = text.find_last_not_of(" \n");

@@ -32,7 +32,7 @@ using StudyJson = nlohmann::json;
 /// Returns a member if it has the type of `otherwise`, else that: another program may have written the store.
 template <class Value>
 Value member(const StudyJson& object, const char* name, const Value& otherwise) {
-    const StudyJson value = object.is_object() ? object.value(name, StudyJson()) : StudyJson();
+    const StudyJson value = input::member_of(object, name);
     const bool fits = StudyJson(otherwise).is_number() ? value.is_number() : value.is_string();
     return fits ? value.get<Value>() : otherwise;
 }
@@ -102,7 +102,7 @@ std::vector<Chapter> study_chapters(const ReportData& data) {
     std::vector<Chapter> chapters;
     for (const auto& [name, cells] : studies) {
         const StudyJson about = input::json_or_null(data.meta_value(store::study_key + name).value_or(""));
-        const StudyJson columns = about.is_object() ? about.value("columns", StudyJson()) : StudyJson();
+        const StudyJson columns = input::member_of(about, "columns");
         Chapter& chapter = chapters.emplace_back();
         chapter.id = "study-" + name;  // as the page's links have it
         for (char& c : chapter.id)

@@ -52,9 +52,6 @@ namespace edgewise::reports {
 /// Cache, paging or both; from what size, speed, number of bodies and memory on; what each layout does to it;
 /// and which sentence of the paper holds. Figures that the store lacks are named with the reason.
 [[nodiscard]] std::string thrash_paragraph(const ReportData& data);
-/// Returns its sentence on the measuring machine: the ratio of V-Clip's times at 386 and 38 vertices, at the
-/// fastest rotation, with a table for every body and with one for all, and the same ratio for GJK.
-[[nodiscard]] std::string thrash_here(const ReportData& data);
 /// What each layout and sharing does to it at 386 vertices: knees, misses and memory time.
 [[nodiscard]] TextGrid thrash_grid(const ReportData& data);
 /// Every limit of the paging run: page faults measured and predicted.

@@ -172,30 +172,23 @@ namespace {
 using Cells = std::vector<const ReportCell*>;
 
 /// A sum over the cells that have the figure, or why none has.
-struct RobustnessSum {
-    std::optional<double> total;
-    std::string reason = "no cell";
-
-    RobustnessSum(const Cells& cells, const store::FigureName& name) {
-        for (const ReportCell* cell : cells) {
-            const measure::Figure figure = cell->figure(name);
-            if (figure.value)
-                total = total.value_or(0) + *figure.value;
-            else
-                reason = figure.reason;
-        }
+measure::Figure summed(const Cells& cells, const store::FigureName& name) {
+    measure::Figure sum{name.name(), std::nullopt, "", "no cell"};
+    for (const ReportCell* cell : cells) {
+        const measure::Figure figure = cell->figure(name);
+        if (figure.value)
+            sum.value = sum.value.value_or(0) + *figure.value;
+        else
+            sum.reason = figure.reason;
     }
-};
-
-GridCell count_cell(const RobustnessSum& sum) {
-    return sum.total ? GridCell{fmt::format("{:.0f}", *sum.total)} : missing_cell(sum.reason);
+    return sum;
 }
 
-GridCell percent_cell(const RobustnessSum& part, const RobustnessSum& whole) {
-    if (!part.total) return missing_cell(part.reason);
-    if (!whole.total || *whole.total <= 0) return missing_cell("nothing was checked");
-    if (*part.total == 0) return {"0"};
-    return {fmt::format("{:.3g} ({:.0f})", 100 * *part.total / *whole.total, *part.total)};
+GridCell percent_cell(const measure::Figure& part, const measure::Figure& whole) {
+    if (!part.value) return figure_cell(part);
+    if (!whole.value || *whole.value <= 0) return missing_cell("nothing was checked");
+    if (*part.value == 0) return {"0"};
+    return {fmt::format("{:.3g} ({:.0f})", 100 * *part.value / *whole.value, *part.value)};
 }
 
 /// Returns true if `cell` asks the same queries as `raw`, by the same table type, and is hardened.
@@ -258,12 +251,13 @@ TextGrid robustness_grid(const ReportData& data) {
     }
     for (const auto& [key, cells] : groups) {
         const auto& [is_one, scene, algorithm, precision] = key;
-        const RobustnessSum checked(cells, "error.checked"), asked(cells, "error.control_checked");
-        grid.add(scene, algorithm, precision, count_cell(checked),
-                 percent_cell({cells, "error.wrong_verdicts"}, checked),
-                 percent_cell({cells, "error.verdicts_in_band"}, checked), count_cell(asked),
-                 percent_cell({cells, "error.control_disagreements"}, asked),
-                 percent_cell({cells, "error.control_disagreements_outside_band"}, asked));
+        const measure::Figure checked = summed(cells, "error.checked"),
+                              asked = summed(cells, "error.control_checked");
+        grid.add(scene, algorithm, precision, figure_cell(checked, 1, 0),
+                 percent_cell(summed(cells, "error.wrong_verdicts"), checked),
+                 percent_cell(summed(cells, "error.verdicts_in_band"), checked), figure_cell(asked, 1, 0),
+                 percent_cell(summed(cells, "error.control_disagreements"), asked),
+                 percent_cell(summed(cells, "error.control_disagreements_outside_band"), asked));
     }
     return grid;
 }

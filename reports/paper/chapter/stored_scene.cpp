@@ -18,12 +18,10 @@ namespace {
 using StoredSceneJson = nlohmann::json;
 
 StoredScene parse(const std::string& name, const std::string& text) {
-    const StoredSceneJson file = input::json_or_null(text);
-    StoredScene scene{name, {}, {}, {}};
-    if (!file.is_object()) return scene;
-    if (file.contains("note") && file["note"].is_string()) scene.note = file["note"];
-    if (!file.contains("vary") || !file["vary"].is_object()) return scene;
-    for (const auto& item : file["vary"].items()) scene.varied = item.key();
+    const StoredSceneJson file = input::json_or_null(text), vary = input::member_of(file, "vary");
+    StoredScene scene{name, {}, input::text_member(file, "note"), {}};
+    if (vary.is_object())
+        for (const auto& item : vary.items()) scene.varied = item.key();
     return scene;
 }
 

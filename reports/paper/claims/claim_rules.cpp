@@ -112,8 +112,6 @@ std::string bound_text(double bound) {
     return bound == std::floor(bound) ? fmt::format("{:.0f}", bound) : fmt::format("{:g}", bound);
 }
 
-std::string joined(const std::string& a, const std::string& b) { return a.empty() ? b : a + "; " + b; }
-
 std::string value_text(const Claim& text, const ClaimPart& part) {
     return fmt::format("{} {}", part.label,
                        evidence_text(part.ours, part.unit.empty() ? text.unit : part.unit));
@@ -123,32 +121,29 @@ std::string value_text(const Claim& text, const ClaimPart& part) {
 struct Findings {
     std::string missed, straddling;
     bool any_value = false;
-    std::vector<std::pair<std::string, std::string>> missing;  ///< reasons, and the parts that share them
+    nlohmann::ordered_map<std::string, std::string> missing = {};  ///< reasons, and the parts that share them
 
     void add(const Claim& text, const ClaimPart& part) {
         const Evidence& ours = part.ours;
         any_value = any_value || ours.value;
         if (!ours.value) {
-            add_missing(part.label, ours.missing);
+            append(missing[ours.missing], part.label, "; ");
         } else if (ours.high < part.wanted.low || ours.low > part.wanted.high) {
-            missed =
-                joined(missed, value_text(text, part) + ", where the rule wants " + part.wanted.description);
+            append(missed, value_text(text, part) + ", where the rule wants " + part.wanted.description,
+                   "; ");
         } else if (ours.low < part.wanted.low || ours.high > part.wanted.high) {
-            straddling = joined(straddling, fmt::format("the interval of {} straddles the rule, {}",
-                                                        value_text(text, part), part.wanted.description));
+            append(straddling,
+                   fmt::format("the interval of {} straddles the rule, {}", value_text(text, part),
+                               part.wanted.description),
+                   "; ");
         }
-    }
-    void add_missing(const std::string& label, const std::string& reason) {
-        for (auto& [known, labels] : missing)
-            if (known == reason) return void(labels += "; " + label);
-        missing.emplace_back(reason, label);
     }
     /// One reason for everything needs no list of parts.
     [[nodiscard]] std::string missing_text() const {
         if (missing.size() == 1 && !any_value) return missing.front().first;
         std::string out;
         for (const auto& [reason, labels] : missing)
-            out = joined(out, fmt::format("{} ({})", reason, labels));
+            append(out, fmt::format("{} ({})", reason, labels), "; ");
         return out;
     }
 };
@@ -156,7 +151,7 @@ struct Findings {
 std::string wanted_text(const std::vector<ClaimPart>& parts) {
     std::string out;
     for (const ClaimPart& part : parts)
-        if (!part.wanted.description.empty()) out = joined(out, part.label + " " + part.wanted.description);
+        if (!part.wanted.description.empty()) append(out, part.label + " " + part.wanted.description, "; ");
     return out;
 }
 
@@ -227,7 +222,7 @@ Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
     Findings findings;
     for (const ClaimPart& part : parts) {
         findings.add(claim, part);
-        if (part.ours.value) claim.ours = joined(claim.ours, value_text(claim, part));
+        if (part.ours.value) append(claim.ours, value_text(claim, part), "; ");
     }
     claim.rule = fmt::format("{} Wanted: {}.", claim.rule, wanted_text(parts));
     take_verdict(findings, claim);
@@ -245,8 +240,8 @@ Claim judge_variants(const std::string& id, const std::string& assumption,
     std::string reasons;
     for (std::size_t i = 0; i < claims.size(); ++i) {
         if (!claims[i].ours.empty())
-            claim.ours = joined(claim.ours, fmt::format("{}: {}", variants[i].name, claims[i].ours));
-        reasons = joined(reasons, of_variant(variants[i].name, claims[i]));
+            append(claim.ours, fmt::format("{}: {}", variants[i].name, claims[i].ours), "; ");
+        append(reasons, of_variant(variants[i].name, claims[i]), "; ");
     }
     const auto all_are = [&](const auto& property) {
         return std::ranges::all_of(

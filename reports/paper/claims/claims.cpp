@@ -96,16 +96,9 @@ std::string machine_of_claims(const ReportData& data) {
 }  // namespace
 
 std::string claims_summary(const std::vector<Claim>& claims) {
-    std::vector<std::pair<std::string, std::string>> names_by_verdict;  // in the order of the first of each
-    for (const Claim& claim : claims) {
-        if (claim.kind != "primary") continue;
-        const auto found = std::ranges::find_if(
-            names_by_verdict, [&](const auto& entry) { return entry.first == claim.verdict; });
-        if (found == names_by_verdict.end())
-            names_by_verdict.emplace_back(claim.verdict, claim.id);
-        else
-            append(found->second, claim.id);
-    }
+    nlohmann::ordered_map<std::string, std::string> names_by_verdict;  // in the order of the first of each
+    for (const Claim& claim : claims)
+        if (claim.kind == "primary") append(names_by_verdict[claim.verdict], claim.id);
     std::string out;
     for (const auto& [verdict, names] : names_by_verdict) append(out, verdict + ": " + names, "; ");
     return "Primary findings " + out;

@@ -80,40 +80,25 @@ std::vector<Run> runs_of(const std::vector<MappedPiece>& map) {
     return runs;
 }
 
-class Picture {
-  public:
-    explicit Picture(std::size_t lines) : lines_(lines) {}
+std::string on_line(std::size_t offset, int width, std::string_view fill) {
+    const std::size_t line = offset / line_bytes;
+    const int x = left_margin + static_cast<int>(line / lines_per_column) * column_width +
+                  static_cast<int>(offset % line_bytes) * byte_width;
+    const int y = top_margin + static_cast<int>(line % lines_per_column) * line_height;
+    return rectangle(x, y, width, line_height - 1, fill) + "\n";
+}
 
-    /// The part of a run on each line it touches.
-    void add(const Run& run) {
-        std::size_t at = run.offset;
-        const std::size_t end = run.offset + run.bytes;
-        while (at < end && at / line_bytes < lines_) {
-            const std::size_t next = std::min(end, (at / line_bytes + 1) * line_bytes);
-            add_rectangle(at, static_cast<int>(next - at) * byte_width, colour_of(run.component));
-            at = next;
-        }
-        if (run.starts_element && run.offset / line_bytes < lines_) add_rectangle(run.offset, 1, "#000");
+/// The part of a run on each of the first lines that it touches.
+std::string run_on_lines(const Run& run, std::size_t lines) {
+    std::string body;
+    const std::size_t end = std::min(run.offset + run.bytes, lines * line_bytes);
+    for (std::size_t at = run.offset, next = 0; at < end; at = next) {
+        next = std::min(end, (at / line_bytes + 1) * line_bytes);
+        body += on_line(at, static_cast<int>(next - at) * byte_width, colour_of(run.component));
     }
-    [[nodiscard]] std::string take() const { return body_; }
-
-    static int x_of(std::size_t offset) {
-        const std::size_t column = offset / line_bytes / lines_per_column;
-        return left_margin + static_cast<int>(column) * column_width +
-               static_cast<int>(offset % line_bytes) * byte_width;
-    }
-    static int y_of(std::size_t offset) {
-        return top_margin + static_cast<int>(offset / line_bytes % lines_per_column) * line_height;
-    }
-
-  private:
-    void add_rectangle(std::size_t offset, int width, std::string_view fill) {
-        body_ += rectangle(x_of(offset), y_of(offset), width, line_height - 1, fill) + "\n";
-    }
-
-    std::size_t lines_;
-    std::string body_;
-};
+    if (run.starts_element && run.offset < end) body += on_line(run.offset, 1, "#000");
+    return body;
+}
 
 std::string legend(const Ledger& ledger, int y) {
     std::string result;
@@ -145,12 +130,19 @@ std::string heat_colour(std::uint32_t accesses, std::uint32_t most) {
 
 }  // namespace
 
-std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map, std::size_t most_lines) {
+std::string draw_layout(const TableType& type, const std::string& shape, const Polyhedron& body) {
+    constexpr std::size_t most_lines = 2048;
+    const auto stored = type.stored_body(body);
+    if (!stored) throw std::invalid_argument(stored.error);
+    Arena arena;
+    const TablesIn placed(arena);
+    const std::vector<MappedPiece> map = type.memory_map(*stored, type.all_parts());
+    const std::string title = fmt::format("{}, {}", type.name, shape);
     const std::size_t bytes = map.empty() ? 0 : map.back().offset + map.back().stride * map.back().count;
     const std::size_t all_lines = (bytes + line_bytes - 1) / line_bytes;
     const std::size_t lines = std::min(all_lines, most_lines);
-    Picture picture(lines);
-    for (const Run& run : runs_of(map)) picture.add(run);
+    std::string parts;
+    for (const Run& run : runs_of(map)) parts += run_on_lines(run, lines);
     const auto columns = static_cast<int>((lines + lines_per_column - 1) / lines_per_column);
     const int width = std::max(900, 2 * left_margin + columns * column_width);
     const int rows = static_cast<int>(std::min(lines, lines_per_column));
@@ -160,19 +152,11 @@ std::string draw_map(const std::string& title, const std::vector<MappedPiece>& m
         "stroke starts an element{}</text>\n{}{}</svg>\n",
         svg_start(width, top_margin + rows * line_height + left_margin, title), left_margin, title,
         width - left_margin, bytes, line_bytes, cut_text(lines, all_lines), legend(ledger_of(map), 22),
-        picture.take());
+        parts);
 }
 
-std::string draw_layout(const TableType& type, const std::string& shape, const Polyhedron& body) {
-    const auto stored = type.stored_body(body);
-    if (!stored) throw std::invalid_argument(stored.error);
-    Arena arena;
-    const TablesIn placed(arena);
-    return draw_map(fmt::format("{}, {}", type.name, shape), type.memory_map(*stored, type.all_parts()));
-}
-
-std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses,
-                      std::size_t most_lines) {
+std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses) {
+    constexpr std::size_t most_lines = 8192;
     const std::size_t lines = std::min(accesses.size(), most_lines);
     const std::uint32_t most = accesses.empty() ? 0 : *std::max_element(accesses.begin(), accesses.end());
     std::string body;

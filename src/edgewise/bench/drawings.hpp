@@ -8,24 +8,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "edgewise/bench/registry.hpp"
 
 namespace edgewise::bench {
 
-/// Lines beyond `most_lines` are left out, and the picture says so.
-[[nodiscard]] std::string draw_map(const std::string& title, const std::vector<MappedPiece>& map,
-                                   std::size_t most_lines = 2048);
-
-/// Drawing of the table of this body, with all parts that the layout has, placed in an arena. Throws
-/// std::invalid_argument when the layout cannot store the body.
+/// Drawing of the table of this body, with all parts that the layout has, placed in an arena. Lines beyond
+/// 2048 are left out, and the picture says so. Throws std::invalid_argument when the layout cannot store the
+/// body.
 [[nodiscard]] std::string draw_layout(const TableType& type, const std::string& shape,
                                       const Polyhedron& body);
 
-/// Drawing of the accesses of each line, from the tables' start on; most_lines as above. White was never
+/// Drawing of the accesses of each line, from the tables' start on, of 8192 lines at most. White was never
 /// accessed; light to dark is logarithmic.
-[[nodiscard]] std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses,
-                                    std::size_t most_lines = 8192);
+[[nodiscard]] std::string draw_heat(const std::string& title, std::span<const std::uint32_t> accesses);
 
 }  // namespace edgewise::bench

@@ -42,7 +42,7 @@ struct RunnerOptions {
     bool recorded_radii = false;  ///< the radii of the scene's instances instead
 
     /// Returns true if bodies have a radius.
-    [[nodiscard]] bool rounds() const { return radius > 0 || recorded_radii; }
+    [[nodiscard]] bool has_radius() const { return radius > 0 || recorded_radii; }
 
     /// Sets the needs; for a verdict alone queries end as soon as it is known.
     void set_needs(Needs wanted) {

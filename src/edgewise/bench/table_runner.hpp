@@ -16,59 +16,6 @@
 
 namespace edgewise::bench {
 
-/// Build times for a body that the table can store, as Runner::build_times defines them.
-template <class Table>
-[[nodiscard]] BuildTimes time_builds(const Polyhedron& body, Parts parts, int repetitions) {
-    const Polyhedron larger = scene::scaled(body, 2);
-    Table refitted(body, parts);
-    BuildTimes times;
-    for (int i = 0; i < repetitions; ++i) {
-        const measure::Stopwatch build_watch;
-        const Table fresh(body, parts);
-        times.build_ns.push_back(build_watch.elapsed_ns());
-        if constexpr (Refittable<Table>) {
-            const measure::Stopwatch refit_watch;
-            refit(refitted, i % 2 == 0 ? larger : body);
-            times.refit_ns.push_back(refit_watch.elapsed_ns());
-        }
-    }
-    return times;
-}
-
-/// Mean part of the tables' bytes that was ever made: 1 except for lazy tables.
-template <class Table>
-[[nodiscard]] double mean_materialised(const std::vector<Table>& tables) {
-    double part = 1;
-    if constexpr (requires { tables[0].materialised(); }) {
-        part = 0;
-        for (const Table& table : tables) part += table.materialised() / static_cast<double>(tables.size());
-    }
-    return part;
-}
-
-/// Maps of one table for each body; offsets from `base`.
-template <class Table>
-[[nodiscard]] std::vector<TableMap> maps_of(const std::vector<Table>& tables,
-                                            const std::vector<const Polyhedron*>& bodies,
-                                            const std::byte* base) {
-    std::vector<TableMap> maps;
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const Polyhedron& body = *bodies[i];
-        maps.push_back({memory_map(tables[i].pieces(), base), body.vertex_count(), body.edge_count(),
-                        body.face_count()});
-    }
-    return maps;
-}
-
-/// Maps of the fields of tables that declare them; offsets from `base`.
-template <class Table>
-[[nodiscard]] std::vector<FieldMap> field_maps_of(const std::vector<Table>& tables, const std::byte* base) {
-    std::vector<FieldMap> maps;
-    if constexpr (requires { tables[0].field_map(base); })
-        for (const Table& table : tables) maps.push_back(table.field_map(base));
-    return maps;
-}
-
 template <class Table>
 class TableRunner : public Runner {
   public:
@@ -79,17 +26,38 @@ class TableRunner : public Runner {
     [[nodiscard]] std::size_t object_bytes() const override { return sizeof(Table); }
 
     [[nodiscard]] std::vector<TableMap> memory_maps() const override {
-        return maps_of(tables_, bodies_, table_allocator().base());
+        std::vector<TableMap> maps;
+        for (std::size_t i = 0; i < tables_.size(); ++i)
+            maps.push_back({memory_map(tables_[i].pieces(), table_allocator().base()),
+                            bodies_[i]->vertex_count(), bodies_[i]->edge_count(), bodies_[i]->face_count()});
+        return maps;
     }
     [[nodiscard]] std::vector<FieldMap> field_maps() const override {
-        return field_maps_of(tables_, table_allocator().base());
+        std::vector<FieldMap> maps;
+        if constexpr (requires { tables_[0].field_map(nullptr); })
+            for (const Table& table : tables_) maps.push_back(table.field_map(table_allocator().base()));
+        return maps;
     }
 
     /// Build times in memory that was not used before, where the allocator has such memory.
     [[nodiscard]] BuildTimes build_times(int repetitions) const override {
         const auto memory = make_allocator(options().tables.allocator);
         const TablesIn placed(*memory);
-        return time_builds<Table>(prepared().bodies()[0], parts_, repetitions);
+        const Polyhedron& body = prepared().bodies()[0];
+        const Polyhedron larger = scene::scaled(body, 2);
+        Table refitted(body, parts_);
+        BuildTimes times;
+        for (int i = 0; i < repetitions; ++i) {
+            const measure::Stopwatch build_watch;
+            const Table fresh(body, parts_);
+            times.build_ns.push_back(build_watch.elapsed_ns());
+            if constexpr (Refittable<Table>) {
+                const measure::Stopwatch refit_watch;
+                refit(refitted, i % 2 == 0 ? larger : body);
+                times.refit_ns.push_back(refit_watch.elapsed_ns());
+            }
+        }
+        return times;
     }
 
   protected:
@@ -107,7 +75,16 @@ class TableRunner : public Runner {
     }
 
     [[nodiscard]] std::size_t table_count() const override { return tables_.size(); }
-    [[nodiscard]] double materialised() const override { return mean_materialised(tables_); }
+    /// 1 except for lazy tables.
+    [[nodiscard]] double materialised() const override {
+        double part = 1;
+        if constexpr (requires { tables_[0].materialised(); }) {
+            part = 0;
+            for (const Table& table : tables_)
+                part += table.materialised() / static_cast<double>(tables_.size());
+        }
+        return part;
+    }
 
     Parts parts_;
     std::vector<Table> tables_;

@@ -46,9 +46,8 @@ std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     return bodies;
 }
 
-/// The rows are kept for the table at the end.
-studies::StabilitySummary run_with_progress(const studies::StabilityPlan& plan, store::Store& store,
-                                            reports::ReportData& data) {
+/// Returns false if it was stopped. The rows are kept for the table at the end.
+bool run_with_progress(const studies::StabilityPlan& plan, store::Store& store, reports::ReportData& data) {
     Progress progress("stability", studies::stability_rows(plan), 0, "rows");
     const auto take = [&](const store::StoredCell& row) {
         data.stability.push_back({row, row.scene});
@@ -80,27 +79,30 @@ int run_stability(const StabilityArguments& options, bool json) {
     make_folder_of(options.store, "--store");
     store::Store store(options.store);
     if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
-    studies::StabilitySummary summary;
     reports::ReportData data;
-    if (any) summary = run_with_progress(plan, store, data);
-    if (!shard.is_whole() && !summary.stopped) store.set_meta(store::complete_key, shard.text());
+    const bool done = !any || run_with_progress(plan, store, data);
+    if (!shard.is_whole() && done) store.set_meta(store::complete_key, shard.text());
+    const auto count = [&](store::CellStatus status) {
+        return std::ranges::count(data.stability, status, &store::CellRow::status);
+    };
+    const auto rows = std::ssize(data.stability), failed = count(store::CellStatus::failed),
+               unavailable = count(store::CellStatus::unavailable);
     if (json) {
-        const nlohmann::json line = {{"rows", summary.rows},
-                                     {"verified", summary.rows - summary.failed - summary.unavailable},
-                                     {"failed", summary.failed},
-                                     {"unavailable", summary.unavailable},
+        const nlohmann::json line = {{"rows", rows},
+                                     {"verified", rows - failed - unavailable},
+                                     {"failed", failed},
+                                     {"unavailable", unavailable},
                                      {"store", options.store}};
         print_json(line);
     } else {
         print(data);
         fmt::print(
             "{} rows: {} verified, {} failed, {} unavailable\nstore: {}; for the report: edgewise report {}\n",
-            summary.rows, summary.rows - summary.failed - summary.unavailable, summary.failed,
-            summary.unavailable, options.store, options.store);
+            rows, rows - failed - unavailable, failed, unavailable, options.store, options.store);
     }
-    const bool nothing = summary.rows == summary.unavailable && any;
+    const bool nothing = rows == unavailable && any;
     if (nothing) warn("nothing was compared: no row has an answer; each says why");
-    return nothing || summary.failed > 0 || summary.stopped ? exit_check_failed : exit_done;
+    return nothing || failed > 0 || !done ? exit_check_failed : exit_done;
 }
 
 }  // namespace

@@ -24,12 +24,6 @@ namespace edgewise::cli {
 
 namespace {
 
-template <class Value>
-Value accepted(const std::string& option, const Result<Value>& value) {
-    if (!value) throw CLI::ValidationError(fmt::format("{} {}", option, value.error));
-    return *value;
-}
-
 /// Takes what is odd about a file to stderr, and returns the body or throws.
 template <class Body>
 Body with_warning(Result<Body> body) {
@@ -58,14 +52,6 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters,
     if (!number)
         throw CLI::ValidationError(fmt::format("{} {}: {}; write NAME=NUMBER", option, text, number.error));
     parameters[text.substr(0, equals)] = *number;
-}
-
-std::uint64_t value_of(const std::string& option, const std::string& text, const input::CountRange& range) {
-    return accepted(option, input::parse_count(text, range));
-}
-
-double value_of(const std::string& option, const std::string& text, const input::NumberRange& range) {
-    return accepted(option, input::parse_number(text, range));
 }
 
 CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& to,

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -22,34 +23,34 @@
 
 namespace edgewise::cli {
 
-/// Returns the number. Throws CLI::ValidationError with the option's name, its text and the valid range.
-[[nodiscard]] std::uint64_t value_of(const std::string& option, const std::string& text,
-                                     const input::CountRange& range);
-[[nodiscard]] double value_of(const std::string& option, const std::string& text,
-                              const input::NumberRange& range);
-
 template <class Value>
 inline constexpr bool is_vector = false;
 template <class Value>
 inline constexpr bool is_vector<std::vector<Value>> = true;
 
 /// An option with one number (a number or std::optional of it), or with several (std::vector), which commas
-/// may separate.
-template <class To, class Range>
+/// may separate. A text that is none is refused with the option's name, the text and the valid range.
+template <class To, class Range, class Value>
 CLI::Option* add_value(CLI::App& command, const std::string& names, To& to, const Range& range,
-                       const std::string& what, const char* type) {
+                       const std::string& what, const char* type,
+                       Result<Value> (*parse)(std::string_view text, const Range& range)) {
     const std::string name = names.substr(0, names.find(','));
     CLI::Option* const option = command.add_option_function<std::vector<std::string>>(
         names,
-        [&to, name, range](const std::vector<std::string>& texts) {
+        [&to, name, range, parse](const std::vector<std::string>& texts) {
+            const auto value_of = [&](const std::string& text) {
+                const Result<Value> value = parse(text, range);
+                if (!value) throw CLI::ValidationError(fmt::format("{} {}", name, value.error));
+                return *value;
+            };
             if constexpr (is_vector<To>) {
                 to.clear();
                 for (const std::string& text : texts)
-                    to.push_back(static_cast<typename To::value_type>(value_of(name, text, range)));
+                    to.push_back(static_cast<typename To::value_type>(value_of(text)));
             } else if constexpr (std::is_arithmetic_v<To>) {
-                to = static_cast<To>(value_of(name, texts.front(), range));
+                to = static_cast<To>(value_of(texts.front()));
             } else {
-                to = static_cast<typename To::value_type>(value_of(name, texts.front(), range));
+                to = static_cast<typename To::value_type>(value_of(texts.front()));
             }
         },
         what);
@@ -64,13 +65,13 @@ CLI::Option* add_value(CLI::App& command, const std::string& names, To& to, cons
 template <class To>
 CLI::Option* add_count(CLI::App& command, const std::string& names, To& to, const input::CountRange& range,
                        const std::string& what) {
-    return add_value(command, names, to, range, what, "COUNT");
+    return add_value(command, names, to, range, what, "COUNT", input::parse_count);
 }
 
 template <class To>
 CLI::Option* add_number(CLI::App& command, const std::string& names, To& to, const input::NumberRange& range,
                         const std::string& what) {
-    return add_value(command, names, to, range, what, "NUMBER");
+    return add_value(command, names, to, range, what, "NUMBER", input::parse_number);
 }
 
 template <class To>

@@ -47,7 +47,7 @@ struct Tolerance {
     static constexpr Scalar level = 64 * eps;
 
     /// Exact oracle, absolute, in units where a body and a direction are about 1: proven bound of the error
-    /// of a vertex height computed in floating point (derived in truth/support_filter.cpp).
+    /// of a vertex height computed in floating point (derived in truth/exact_body.cpp).
     static constexpr Scalar support_filter = 256 * eps;
 
     /// Radians, by the scalar that stores: faces or sides that turn by less count as flat, and V-Clip proves

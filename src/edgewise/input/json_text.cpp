@@ -35,6 +35,14 @@ Brackets brackets_in(std::string_view text) {
     return result;
 }
 
+/// "column 12", or "line 3, column 12" where that is not the first line; both count from 1.
+std::string place_in(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+    const auto lines = std::ranges::count(before, '\n');
+    const std::size_t column = before.size() - (lines > 0 ? before.rfind('\n') + 1 : 0) + 1;
+    return (lines > 0 ? "line " + std::to_string(lines + 1) + ", " : "") + "column " + std::to_string(column);
+}
+
 }  // namespace
 
 std::size_t nesting_of(std::string_view text) { return brackets_in(text).deepest; }
@@ -42,13 +50,6 @@ std::size_t nesting_of(std::string_view text) { return brackets_in(text).deepest
 bool ends_inside(std::string_view text) {
     const Brackets found = brackets_in(text);
     return found.open > 0 || found.in_text;
-}
-
-std::string place_in(std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-    const auto lines = std::ranges::count(before, '\n');
-    const std::size_t column = before.size() - (lines > 0 ? before.rfind('\n') + 1 : 0) + 1;
-    return (lines > 0 ? "line " + std::to_string(lines + 1) + ", " : "") + "column " + std::to_string(column);
 }
 
 std::string not_json_at(std::string_view text, std::size_t byte) {

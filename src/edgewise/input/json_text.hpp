@@ -31,9 +31,6 @@ inline constexpr std::size_t deepest_json = 64;
 /// Returns true if the rest is missing: more brackets are opened than closed, or a quoted text is not closed.
 [[nodiscard]] bool ends_inside(std::string_view text);
 
-/// "column 12", or "line 3, column 12" where that is not the first line; both count from 1.
-[[nodiscard]] std::string place_in(std::string_view text, std::size_t byte);
-
 /// "not JSON at column 12", with a hint if NaN or Infinity is there, which JSON does not have.
 [[nodiscard]] std::string not_json_at(std::string_view text, std::size_t byte);
 
@@ -103,6 +100,19 @@ template <class Json = nlohmann::json>
 [[nodiscard]] Json json_or_null(std::string_view text) {
     auto parsed = parse_json<Json>(text);
     return parsed ? std::move(*parsed) : Json();
+}
+
+/// A member of such JSON, which another program may have written; null if it is no object, or lacks the
+/// member.
+template <class Json>
+[[nodiscard]] Json member_of(const Json& json, const std::string& name) {
+    return json.is_object() ? json.value(name, Json()) : Json();
+}
+/// The member if it is a text; else an empty one.
+template <class Json>
+[[nodiscard]] std::string text_member(const Json& json, const std::string& name) {
+    const Json member = member_of(json, name);
+    return member.is_string() ? member.template get<std::string>() : std::string();
 }
 
 /// A copy of the JSON with texts that are valid UTF-8: other bytes are written as their numbers.

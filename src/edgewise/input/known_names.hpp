@@ -23,16 +23,6 @@ namespace edgewise {
     return lower;
 }
 
-namespace known_names_detail {
-
-/// Most edits that still count as a slip: one letter of a short name, a third of a longer one.
-inline int most_edits(std::string_view name) { return std::max(1, static_cast<int>(name.size()) / 3); }
-
-/// Shorter names are the beginning of too many others.
-inline constexpr std::size_t least_beginning = 3;
-
-}  // namespace known_names_detail
-
 /// Number of letters to insert, delete, replace, or swap with their neighbour, to turn one name into the
 /// other (optimal string alignment). Ignores case.
 [[nodiscard]] inline int edits_between(std::string_view first, std::string_view second) {
@@ -58,21 +48,17 @@ inline constexpr std::size_t least_beginning = 3;
 /// ("sphere38" for "sphere").
 [[nodiscard]] inline std::optional<std::string> nearest_name(std::string_view name,
                                                              const std::vector<std::string>& known) {
-    using namespace known_names_detail;
-    const std::string* nearest = nullptr;
-    int fewest = most_edits(name) + 1;
-    for (const std::string& candidate : known) {
-        const int edits = edits_between(name, candidate);
-        if (edits >= fewest) continue;
-        fewest = edits;
-        nearest = &candidate;
-    }
-    if (nearest) return *nearest;
+    constexpr std::size_t least_beginning = 3;  // shorter ones are the beginning of too many others
+    const auto edits = [&](const std::string& candidate) { return edits_between(name, candidate); };
+    const auto nearest = std::ranges::min_element(known, {}, edits);
+    // More edits are no slip of the fingers.
+    const int most_edits = std::max(1, static_cast<int>(name.size()) / 3);
+    if (nearest != known.end() && edits(*nearest) <= most_edits) return *nearest;
     const std::string wanted = lower_case(name);
-    for (const std::string& candidate : known) {
-        if (wanted.size() >= least_beginning && lower_case(candidate).starts_with(wanted)) return candidate;
-    }
-    return std::nullopt;
+    const auto longer = std::ranges::find_if(
+        known, [&](const std::string& candidate) { return lower_case(candidate).starts_with(wanted); });
+    if (wanted.size() < least_beginning || longer == known.end()) return std::nullopt;
+    return *longer;
 }
 
 /// "; did you mean 'aos'?", or ";" if no name is near: the text before the list of known names.

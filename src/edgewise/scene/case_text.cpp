@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "edgewise/geometry/aabb.hpp"
-#include "edgewise/geometry/hull.hpp"
 
 namespace edgewise::scene {
 

@@ -5,7 +5,6 @@
 #include "edgewise/scene/scene_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,6 @@
 #include "edgewise/scene/scenes.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -149,8 +148,6 @@ double reach(std::span<const Vec3d> vertices, const Vec3d& from) {
     for (const Vec3d& vertex : vertices) most = std::max(most, norm(Vec3d(vertex - from)));
     return most;
 }
-
-double smallest_dimension(std::span<const Vec3d> vertices) { return box_of(vertices).sides().minCoeff(); }
 
 Aabb world_box(const Polyhedron& body, const Pose& pose) {
     const Vec3d first = pose.apply(body.vertices.front());

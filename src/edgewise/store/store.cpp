@@ -138,12 +138,10 @@ void Store::put_round(const std::string& build,
     transaction.commit();
 }
 
-std::optional<CellRow> Store::find_cell(const std::string& build, const std::string& hash) const {
-    return store::find_cell(database_, build, hash);
-}
-
-std::vector<FigureRow> Store::figures(const std::string& build, const std::string& hash) const {
-    return figures_of(database_, build, hash);
+std::optional<StoredCell> Store::find_cell(const std::string& build, const std::string& hash) const {
+    auto row = store::find_cell(database_, build, hash);
+    if (!row) return std::nullopt;
+    return StoredCell{*std::move(row), figures_of(database_, build, hash)};
 }
 
 std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {

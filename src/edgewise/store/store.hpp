@@ -35,9 +35,9 @@ class Store {
     /// Adds one round of several cells (by hash) in one transaction; replaces rounds of the same number.
     void put_round(const std::string& build, std::span<const std::pair<std::string, measure::Round>> rounds);
 
-    [[nodiscard]] std::optional<CellRow> find_cell(const std::string& build, const std::string& hash) const;
-    /// Figures of a cell, by probe, then by name.
-    [[nodiscard]] std::vector<FigureRow> figures(const std::string& build, const std::string& hash) const;
+    /// A cell with its figures and without its rounds.
+    [[nodiscard]] std::optional<StoredCell> find_cell(const std::string& build,
+                                                      const std::string& hash) const;
     [[nodiscard]] std::set<int> rounds_done(const std::string& build, const std::string& hash) const;
     /// Rounds of a cell, by number.
     [[nodiscard]] std::vector<measure::Round> rounds(const std::string& build, const std::string& hash) const;

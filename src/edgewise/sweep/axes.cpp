@@ -107,7 +107,7 @@ void check_margin(const Axes& axes, std::string_view text) {
 
 /// Refuses a radius with needs, tolerances and batches that cells of rounded bodies do not support.
 void check_radius(const Axes& axes, std::string_view text) {
-    if (!axes.rounds()) return;
+    if (!axes.has_radius()) return;
     if (has_margin(axes.needs) || axes.needs > Needs::witnesses)
         refuse(text, "a radius goes with needs=verdict, distance and witnesses: choose one of these");
     if (axes.query.contact_tolerance != 0)
@@ -179,7 +179,7 @@ std::string Axes::text() const {
 bool Axes::concerns(std::string_view algorithm) const {
     const bool of_gjk = query.gap_tolerance != 0 || query.sub_distance != SubDistanceSolver::cofactors;
     return tables != bench::TableOptions{} || needs != Needs::witnesses || query.contact_tolerance != 0 ||
-           batch || starts_cold || default_build || rounds() || (of_gjk && algorithm == "gjk") ||
+           batch || starts_cold || default_build || has_radius() || (of_gjk && algorithm == "gjk") ||
            (!query.hardened && algorithm == "vclip");
 }
 

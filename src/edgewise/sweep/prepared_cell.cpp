@@ -42,7 +42,7 @@ std::size_t control_stride(const Polyhedron& body, std::size_t checked) {
 bool tells_margin_alone(const Distance& answer, const bench::RunnerOptions& asked, const MarginOf& margin,
                         const scene::Query& query) {
     const bool is_separated = answer.status == Status::separated;
-    if (asked.rounds()) return asked.query.is_for_verdict() || !is_separated;
+    if (asked.has_radius()) return asked.query.is_for_verdict() || !is_separated;
     return asked.needs == Needs::nearer ||
            (asked.needs == Needs::within && is_separated && answer.distance >= margin(query));
 }
@@ -130,13 +130,13 @@ std::vector<truth::CheckedAnswer> check_answers(SharedQueries& shared, std::span
         const truth::AccuracyBand band = bodies.band(eps);
         truth::KnownPair& known = known_stored[k];
         truth::Claim claim = scene::claim_of(answer, asked.query.is_for_verdict());
-        if (asked.rounds()) claim.distance += margin(query);
+        if (asked.has_radius()) claim.distance += margin(query);
         const bool margin_alone = tells_margin_alone(answer, asked, margin, query);
         truth::CheckedAnswer& checked = result.emplace_back(
             margin_alone ? truth::check_nearness(!claim.separated, known.exact(bodies), margin(query), band,
                                                  leeway.gap_tolerance)
                          : truth::check(claim, bodies, known, band, allowed, leeway));
-        if (asked.rounds()) set_truth_of_rounded(known.exact(bodies).distance - margin(query), checked);
+        if (asked.has_radius()) set_truth_of_rounded(known.exact(bodies).distance - margin(query), checked);
         if (margin_alone) {
             if (claim.failed) checked.verdict_wrong = true;
             continue;
@@ -308,7 +308,7 @@ void CellRun::verify(SharedQueries& shared) {
     const scene::Workload& workload = axes_.starts_cold ? shared.cold_workload() : shared.workload();
     if (cell_.type().is_peer && has_margin(axes_.needs))
         return make_unavailable("other libraries are not asked about a margin");
-    if (cell_.type().verdict_only && axes_.rounds())
+    if (cell_.type().verdict_only && axes_.has_radius())
         return make_unavailable("bodies with a radius need distances, which this library does not give");
     if (const std::string error = cell_.load(workload); !error.empty()) return make_unavailable(error);
     shared_ = &shared;

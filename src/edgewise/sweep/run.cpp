@@ -161,7 +161,7 @@ class Sweep {
         std::vector<CellRun> cells = cells_of(scene, shape);
         if (all_stored(cells)) {
             for (const Step step : steps) left_.skip(expected.kind(step), expected.of(step));
-            listener_.on_resumed(cells.size());
+            listener_.on_done(cells.size(), {});
             return;
         }
         const measure::Stopwatch watch;

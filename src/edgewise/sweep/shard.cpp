@@ -67,10 +67,6 @@ Result<Shard> automatic(const std::string& count_text, const Environment& enviro
     return checked(index, count);
 }
 
-std::uint64_t hash_of(const std::string& name) {
-    return std::stoull(bench::Fingerprint().add(name).hex(), nullptr, 16);
-}
-
 }  // namespace
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
@@ -106,7 +102,7 @@ std::vector<std::size_t> dealt_to(const Shard& shard, std::span<const ShardUnit>
     std::vector<std::size_t> order(units.size()), mine;
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t i) {
-        return std::tuple(-units[i].cost, hash_of(units[i].name), units[i].name);
+        return std::tuple(-units[i].cost, bench::Fingerprint().add(units[i].name).value(), units[i].name);
     });
     std::vector<double> load(shard.count, 0);
     for (const std::size_t unit : order) {

@@ -25,13 +25,12 @@ bool lacks_caches(const CellRun& cell, const store::StoredCell& stored) {
 }  // namespace
 
 std::optional<store::CellStatus> StoredCells::status_of(const CellRun& cell) const {
-    const auto row = store_.find_cell(build_, cell.row().hash);
-    if (!row) return std::nullopt;
-    if (!row->is_timed()) return row->status;
+    const auto stored = store_.find_cell(build_, cell.row().hash);
+    if (!stored) return std::nullopt;
+    if (!stored->is_timed()) return stored->status;
     if (!rounds_missing(cell).empty()) return std::nullopt;
-    const store::StoredCell stored{*row, store_.figures(build_, cell.row().hash)};
-    if (lacks_checks(stored) || (row->verified() && lacks_caches(cell, stored))) return std::nullopt;
-    return row->status;
+    if (lacks_checks(*stored) || (stored->verified() && lacks_caches(cell, *stored))) return std::nullopt;
+    return stored->status;
 }
 
 std::string run_of(const Plan& plan) {
@@ -41,7 +40,7 @@ std::string run_of(const Plan& plan) {
 std::set<int> StoredCells::rounds_missing(const CellRun& cell) const {
     const auto done = store_.rounds_done(build_, cell.row().hash);
     std::set<int> missing;
-    for (int round = 0; round < rounds_; ++round)
+    for (int round = 0; round < plan_.rounds; ++round)
         if (!done.contains(round)) missing.insert(round);
     return missing;
 }
@@ -117,8 +116,8 @@ void StoredCells::put_others(const store::CellRow& of, double share) {
 }
 
 bool StoredCells::lacks_checks(const store::StoredCell& stored) const {
-    const auto wanted =
-        static_cast<double>(std::min<std::uint64_t>(checked_, static_cast<std::uint64_t>(stored.queries)));
+    const auto wanted = static_cast<double>(
+        std::min<std::uint64_t>(plan_.checked, static_cast<std::uint64_t>(stored.queries)));
     const auto checked = stored.figure("error.checked").value;
     return checked ? *checked < wanted : stored.verified();
 }

@@ -33,12 +33,9 @@ void keep_finalists(SweepWork& work, const std::string& store);
 
 class StoredCells {
   public:
+    /// Keeps the store and the plan.
     StoredCells(store::Store& store, std::string build, const Plan& plan)
-        : store_(store),
-          build_(std::move(build)),
-          rounds_(plan.rounds),
-          checked_(plan.checked),
-          run_(run_of(plan)) {}
+        : store_(store), build_(std::move(build)), plan_(plan) {}
 
     /// Returns the status of a cell if the store has all its results: figures, rounds, and the checked
     /// answers and modelled caches that this plan orders. Otherwise nothing.
@@ -71,14 +68,12 @@ class StoredCells {
 
     /// Times of a further process are not those of the sweep.
     [[nodiscard]] std::string name_of_time(const std::string& of) const {
-        return run_ == store::sweep_run ? of : run_ + " " + of;
+        return plan_.process == 1 ? of : run_of(plan_) + " " + of;
     }
 
     store::Store& store_;
     std::string build_;
-    int rounds_;
-    std::size_t checked_;
-    std::string run_;
+    const Plan& plan_;
 };
 
 }  // namespace edgewise::sweep

@@ -176,7 +176,7 @@ bool add_if_file(const SceneChoice& choice, SweepWork& work,
 
 /// Libraries are asked for distances, verdicts alone, and of rounded bodies, which takes their distances.
 bool is_asked(const bench::TableType& peer, Axes axes) {
-    if (peer.verdict_only && axes.rounds()) return false;
+    if (peer.verdict_only && axes.has_radius()) return false;
     axes.radius = 0;
     axes.recorded_radii = false;
     return axes.text().empty() || axes.text() == "needs=verdict";

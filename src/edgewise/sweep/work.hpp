@@ -93,10 +93,9 @@ struct SweepSummary {
 
 /// Functions that a sweep calls while it runs.
 struct SweepListener {
-    /// Called when more work is done; `cells` is 0 until their group ends.
+    /// Called when more work is done; `cells` is 0 until their group ends. Without `what`: an earlier run did
+    /// it.
     std::function<void(std::size_t cells, const std::string& what)> on_done;
-    /// Called for cells that an earlier run measured.
-    std::function<void(std::size_t cells)> on_resumed;
     std::function<void(const std::string& line)> on_warning;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A body in the world, exactly: the vertices R v + t as integers in units of one power of two. Each is
-// computed when it is first asked for; most never are.
+// computed when it is first asked for; most never are. A filter in double keeps exact support to the few
+// vertices that can be the lowest.
 #pragma once
 
 #include <array>
@@ -14,7 +15,6 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/truth/integer_vector.hpp"
 #include "edgewise/truth/minimum_norm.hpp"
-#include "edgewise/truth/support_filter.hpp"
 
 namespace edgewise::truth {
 
@@ -22,6 +22,40 @@ namespace edgewise::truth {
 /// nothing is wrong.
 [[nodiscard]] std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
                                      const Pose& pose_b);
+
+/// Which vertices can be the lowest along a direction? A scan in double that never loses the true one. A
+/// body's own extreme vertex does not depend on where the body is, so the filter works on R (v - v0): a
+/// far-off origin, in the pose or in the vertices, costs it no digits.
+class SupportFilter {
+  public:
+    SupportFilter(std::span<const Vec3d> vertices, const Mat3d& rotation);
+
+    /// False if the coordinates overflowed: then every vertex is a candidate.
+    [[nodiscard]] bool usable() const { return usable_; }
+
+    /// R (v - v0) of a vertex, divided by 2^exponent(): entries below 12.
+    [[nodiscard]] Vec3d shape(std::uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
+    [[nodiscard]] int exponent() const { return exponent_; }
+
+    /// The vertex that looks lowest along the direction; ties go to the first.
+    [[nodiscard]] std::uint32_t lowest(const Vec3d& direction);
+
+    /// Returns every vertex that can be exactly lowest along a direction with entries of at most 1, known to
+    /// 2^-52 (see rounded_direction). Valid until the next call.
+    [[nodiscard]] std::span<const std::uint32_t> candidates(const Vec3d& direction);
+
+  private:
+    void scan(const Vec3d& direction);
+
+    std::vector<double> x_, y_, z_;
+    std::vector<double> heights_;
+    std::vector<std::uint32_t> candidates_;
+    int exponent_ = 0;
+    bool usable_ = true;
+};
+
+/// The direction scaled by a power of two so that its largest entry is in [0.5, 1), truncated to double.
+[[nodiscard]] Vec3d rounded_direction(const IntegerVec& direction);
 
 class ExactBody {
   public:

@@ -102,7 +102,7 @@ TemporaryFile file_in(const char* folder) {
     const NoReadAhead meanwhile(folder);
     const int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     if (file < 0) return {};
-    if (!is_in_memory(file) && ftruncate(file, reserve_bytes + TableMapping::alignment) == 0)
+    if (!is_in_memory(file) && ftruncate(file, reserve_bytes + Arena::alignment) == 0)
         return {file, meanwhile.off()};
     close(file);
     return {};
@@ -120,7 +120,7 @@ TemporaryFile temporary_file() {
 
 int shared_memory() {
     const int file = memfd_create("edgewise tables", MFD_CLOEXEC);
-    if (file >= 0 && ftruncate(file, reserve_bytes + TableMapping::alignment) == 0) return file;
+    if (file >= 0 && ftruncate(file, reserve_bytes + Arena::alignment) == 0) return file;
     if (file >= 0) close(file);
     throw std::runtime_error("allocator memfd: the system gives no shared memory");
 }
@@ -148,9 +148,7 @@ class LibcAllocator final : public TableAllocator {
 
 }  // namespace
 
-std::size_t TableMapping::bytes() { return reserve_bytes; }
-
-TableMapping::TableMapping(Backing backing) : backing_(backing) {
+Arena::Arena(Backing backing) : backing_(backing) {
     if (backing == Backing::file) {
         const TemporaryFile file = temporary_file();
         file_ = file.descriptor;
@@ -163,13 +161,22 @@ TableMapping::TableMapping(Backing backing) : backing_(backing) {
     throw std::runtime_error(no_addresses(alignment));
 }
 
-TableMapping::~TableMapping() {
+Arena::~Arena() {
     munmap(reserved_, reserved_bytes_);
     if (file_ >= 0) close(file_);
 }
 
+void* Arena::do_allocate(std::size_t bytes, std::size_t align) {
+    const std::size_t start = (taken_ + align - 1) / align * align;
+    if (bytes > reserve_bytes || start > reserve_bytes - bytes) throw std::bad_alloc();
+    if (start + bytes > room_) grow(start + bytes);
+    taken_ = start + bytes;
+    requested_ += bytes;
+    return base_ + start;
+}
+
 /// At any place if `at` is null. Null if there are no addresses, or if that place is taken.
-std::byte* TableMapping::map(std::byte* at, std::size_t bytes, std::size_t offset) const {
+std::byte* Arena::map(std::byte* at, std::size_t bytes, std::size_t offset) const {
     const int sharing = backing_ == Backing::memory ? MAP_PRIVATE | MAP_ANONYMOUS : MAP_SHARED;
     const int fixed = at != nullptr ? MAP_FIXED_NOREPLACE : 0;
     void* const place = mmap(at, bytes, PROT_READ | PROT_WRITE, sharing | MAP_NORESERVE | fixed, file_,
@@ -180,12 +187,12 @@ std::byte* TableMapping::map(std::byte* at, std::size_t bytes, std::size_t offse
     return nullptr;
 }
 
-void TableMapping::advise(std::byte* from, std::size_t bytes) const {
+void Arena::advise(std::byte* from, std::size_t bytes) const {
     madvise(from, bytes, MADV_NOHUGEPAGE);
     if (backing_ == Backing::file && !keeps_recency_) madvise(from, bytes, MADV_RANDOM);
 }
 
-bool TableMapping::reserve_all() {
+bool Arena::reserve_all() {
     reserved_ = map(nullptr, reserve_bytes + alignment, 0);
     if (reserved_ == nullptr) return false;
     reserved_bytes_ = reserve_bytes + alignment;
@@ -195,7 +202,7 @@ bool TableMapping::reserve_all() {
     return true;
 }
 
-void TableMapping::start_small() {
+void Arena::start_small() {
     static std::atomic<std::uintptr_t> next{0};
     for (std::uintptr_t i = 0; i < places && base_ == nullptr; ++i) {
         const std::uintptr_t place = first_place + next.fetch_add(1) % places * between_places;
@@ -206,16 +213,16 @@ void TableMapping::start_small() {
     advise(base_, room_);
 }
 
-void TableMapping::grow(std::size_t bytes) {
+void Arena::grow(std::size_t bytes) {
     const std::size_t more = (bytes - room_ + alignment - 1) / alignment * alignment;
     if (map(base_ + room_, more, room_) == nullptr) throw std::runtime_error(no_addresses(bytes));
     advise(base_ + room_, more);
     reserved_bytes_ = room_ += more;
 }
 
-std::optional<std::size_t> TableMapping::resident(std::size_t used) const {
+std::optional<std::size_t> Arena::resident() const {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    const std::size_t pages = (used + page - 1) / page;
+    const std::size_t pages = (taken_ + page - 1) / page;
     std::vector<unsigned char> in_memory(pages);
     if (pages > 0 && mincore(base_, pages * page, in_memory.data()) != 0) return std::nullopt;
     std::size_t count = 0;
@@ -223,10 +230,10 @@ std::optional<std::size_t> TableMapping::resident(std::size_t used) const {
     return count * page;
 }
 
-bool TableMapping::evict(std::size_t used) const {
+bool Arena::evict() const {
     if (backing_ != Backing::file) return false;
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    const std::size_t length = (used + page - 1) / page * page;
+    const std::size_t length = (taken_ + page - 1) / page * page;
     const auto start = static_cast<off_t>(base_ - reserved_);
     return msync(base_, length, MS_SYNC) == 0 && madvise(base_, length, MADV_DONTNEED) == 0 &&
            fdatasync(file_) == 0 &&

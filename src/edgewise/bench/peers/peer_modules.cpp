@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 
@@ -87,6 +88,14 @@ std::filesystem::path folder_of_program() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path();
 }
 
+std::filesystem::path peers_folder() { return folder_of_program() / peers_folder_name(); }
+
+/// Descriptions that the modules give, by name and precision.
+std::span<const peers::PeerInfo* const> peers_found() {
+    static const std::vector<const peers::PeerInfo*> found = open_all(peers_folder());
+    return found;
+}
+
 std::filesystem::path default_build_file(const TableType& type, std::string_view algorithm) {
     return folder_of_program() / "default_builds" /
            fmt::format("{}_{}{}", algorithm, type.name, module_ending);
@@ -94,19 +103,12 @@ std::filesystem::path default_build_file(const TableType& type, std::string_view
 
 }  // namespace
 
-std::filesystem::path peers_folder() { return folder_of_program() / peers_folder_name(); }
-
 bool has_default_build(const TableType& type, std::string_view algorithm) {
     return std::filesystem::exists(default_build_file(type, algorithm));
 }
 
 std::unique_ptr<Runner> make_default_build(const TableType& type, std::string_view algorithm) {
     return std::make_unique<PeerRunner>(*open_module(default_build_file(type, algorithm)));
-}
-
-std::span<const peers::PeerInfo* const> peers_found() {
-    static const std::vector<const peers::PeerInfo*> found = open_all(peers_folder());
-    return found;
 }
 
 std::span<const TableType> peer_types() {

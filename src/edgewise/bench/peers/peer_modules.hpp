@@ -6,7 +6,6 @@
 // report them.
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,11 +17,8 @@
 
 namespace edgewise::bench {
 
-/// Descriptions that the modules give, by name and precision. If a module cannot be opened, throws
-/// std::runtime_error with its name and the reason.
-[[nodiscard]] std::span<const peers::PeerInfo* const> peers_found();
-
-/// Table types of the peers, in that order. Each serves one algorithm, of its layout's name.
+/// Table types of the peers, by name and precision. Each serves one algorithm, of its layout's name. If a
+/// module cannot be opened, throws std::runtime_error with its name and the reason.
 [[nodiscard]] std::span<const TableType> peer_types();
 
 /// Algorithms of the peers: one for each name among them.
@@ -31,9 +27,6 @@ namespace edgewise::bench {
 /// Names as a user writes them: "bullet_epa2", "bullet_epa2_f64", "all". Throws std::invalid_argument that
 /// lists the known names; where there are none at all, what to do.
 [[nodiscard]] std::vector<const TableType*> select_peer_types(std::span<const std::string> names);
-
-/// Folder of the modules, next to the program (peers_folder_name).
-[[nodiscard]] std::filesystem::path peers_folder();
 
 /// Returns true if this query loop was also compiled as applications compile it: -O2, no flag for a
 /// processor. Such modules are in the folder `default_builds` next to the program.

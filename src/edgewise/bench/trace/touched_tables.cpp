@@ -35,10 +35,37 @@ void add_shares(const MappedPiece& piece, const measure::TouchedBytes& touched, 
     }
 }
 
+/// Returns the kind of feature that the elements of this component belong to; nothing if it is not one kind.
+std::optional<FeatureKind> kind_of(Component component) {
+    if (component == Component::vertex_coordinates) return FeatureKind::vertex;
+    if (component == Component::face_planes) return FeatureKind::face;
+    if (component == Component::voronoi_planes || component == Component::edge_geometry)
+        return FeatureKind::edge;
+    return std::nullopt;
+}
+
+std::size_t features_of(const TableMap& map, FeatureKind kind) {
+    return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
+}
+
 bool serves(const MappedPiece& piece, FeatureKind kind) {
     return piece.count > 0 && std::any_of(piece.shares.begin(), piece.shares.end(), [&](const Share& share) {
                return share.bytes > 0 && kind_of(share.component) == kind;
            });
+}
+
+/// Returns the pieces that identify a table's features of a kind: element i of a piece belongs to feature
+/// i mod n. Empty if the table has no such piece. Pieces of exactly one element a feature are believed first:
+/// others may be lists of something else (the planes of `linked`).
+std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind) {
+    const std::size_t count = features_of(map, kind);
+    std::vector<const MappedPiece*> single, several;
+    for (const MappedPiece& piece : map.pieces) {
+        if (!serves(piece, kind)) continue;
+        if (count == 0 || piece.count % count != 0) return {};
+        (piece.count == count ? single : several).push_back(&piece);
+    }
+    return single.empty() ? several : single;
 }
 
 /// Marks the features with touched elements in the piece: element i belongs to feature i mod n.
@@ -73,31 +100,6 @@ Component component_at(const MappedPiece& piece, std::size_t place) {
 }
 
 }  // namespace
-
-std::optional<FeatureKind> kind_of(Component component) {
-    if (component == Component::vertex_coordinates) return FeatureKind::vertex;
-    if (component == Component::face_planes) return FeatureKind::face;
-    if (component == Component::voronoi_planes || component == Component::edge_geometry)
-        return FeatureKind::edge;
-    return std::nullopt;
-}
-
-std::size_t features_of(const TableMap& map, FeatureKind kind) {
-    return kind == FeatureKind::vertex ? map.vertices : kind == FeatureKind::edge ? map.edges : map.faces;
-}
-
-/// Pieces of exactly one element a feature are believed first: others may be lists of something else (the
-/// planes of `linked`).
-std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind) {
-    const std::size_t count = features_of(map, kind);
-    std::vector<const MappedPiece*> single, several;
-    for (const MappedPiece& piece : map.pieces) {
-        if (!serves(piece, kind)) continue;
-        if (count == 0 || piece.count % count != 0) return {};
-        (piece.count == count ? single : several).push_back(&piece);
-    }
-    return single.empty() ? several : single;
-}
 
 std::optional<std::vector<std::uint32_t>> touched_features(const TableMap& map,
                                                            const measure::TouchedBytes& touched,

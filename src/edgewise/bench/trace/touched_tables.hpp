@@ -31,13 +31,6 @@ namespace edgewise::bench {
                                                                          const measure::TouchedBytes& touched,
                                                                          FeatureKind kind);
 
-/// Returns the kind of feature that the elements of this component belong to; nothing if it is not one kind.
-[[nodiscard]] std::optional<FeatureKind> kind_of(Component component);
-[[nodiscard]] std::size_t features_of(const TableMap& map, FeatureKind kind);
-/// Returns the pieces that identify a table's features of a kind: element i of a piece belongs to feature
-/// i mod n. Empty if the table has no such piece.
-[[nodiscard]] std::vector<const MappedPiece*> feature_pieces(const TableMap& map, FeatureKind kind);
-
 /// Finds the component of a byte of tables by its address.
 class ComponentPlaces {
   public:

@@ -57,18 +57,25 @@ class WorkFolder {
     fs::path path_;
 };
 
-/// A process of the race: a sweep of this program over the raced cells' tables and algorithms, into a store
-/// of its own in a folder that goes with the race.
-struct RaceSweep {
-    std::vector<std::string> tables, algorithms;  ///< every table with every algorithm that it serves
-    std::vector<std::string> machines;            ///< to model the caches of
-    std::size_t queries = 3000, checked = 100;
-    int rounds = 0;
-    bool times_in_cache = false, traces = false;  ///< in addition to timing the case
-    std::string store;
+/// What the sweep of a process asks and checks of every cell.
+constexpr std::size_t swept_queries = 3000, swept_checked = 100;
+
+/// A sweep is of every table type of the cells with every algorithm of theirs.
+struct Swept {
+    std::set<std::string> tables, algorithms;
 };
 
-std::string comma_list(const std::vector<std::string>& names) {
+Swept swept_for(const std::vector<ScreenedCell>& cells) {
+    Swept swept;
+    for (const ScreenedCell& cell : cells) {
+        swept.tables.insert(cell.type->name);
+        swept.algorithms.insert(cell.algorithm);
+    }
+    return swept;
+}
+
+template <class Names>
+std::string comma_list(const Names& names) {
     return fmt::format("{}", fmt::join(names, ","));
 }
 
@@ -94,68 +101,22 @@ std::string scene_file(const char* name, const CaseAsked& asked, const sweep::Sc
     return folder.write(std::string(name) + ".json", file);
 }
 
-/// Returns a sweep of the table types and the algorithms of the cells.
-RaceSweep sweep_of(const std::vector<studies::advise::ScreenedCell>& cells) {
-    std::set<std::string> tables, algorithms;
-    for (const auto& cell : cells) {
-        tables.insert(cell.type->name);
-        algorithms.insert(cell.algorithm);
-    }
-    RaceSweep sweep;
-    sweep.tables.assign(tables.begin(), tables.end());
-    sweep.algorithms.assign(algorithms.begin(), algorithms.end());
-    return sweep;
-}
-
-/// Returns the command line of the sweep, which is ended after this number of seconds.
-std::vector<std::string> command_of(const RaceSweep& sweep, const CaseAsked& asked, const WorkFolder& folder,
-                                    double seconds) {
-    // coreutils' timeout ends it when the time is over; Ctrl-C still ends both.
-    std::vector<std::string> command = {"timeout",
-                                        "--foreground",
-                                        "--signal=KILL",
-                                        fmt::format("{:.3f}", seconds),
-                                        fs::read_symlink("/proc/self/exe").string(),
-                                        "sweep",
-                                        "--no-report"};
-    const auto option = [&](const char* name, const std::string& value) {
-        command.insert(command.end(), {name, value});
-    };
-    option("--store", sweep.store);
-    option("--layouts", comma_list(sweep.tables));
-    option("--algorithms", comma_list(sweep.algorithms));
-    option("--queries", std::to_string(sweep.queries));
-    option("--checked", std::to_string(sweep.checked));
-    option("--rounds", std::to_string(sweep.rounds));
-    option("--seed", std::to_string(asked.seed));
-    option("--probes", sweep.traces ? "time,error,bytes,memory,lines,caches" : "time,error,bytes,memory");
-    if (sweep.traces) {
-        option("--caches", "all");
-        option("--machines", comma_list(sweep.machines));
-    }
-    if (asked.as_stored) command.emplace_back("--as-stored");
-    option("--scenes", scene_file(case_scene, asked, scene_of(asked), folder));
-    if (sweep.times_in_cache) command.push_back(scene_file(small_scene, asked, in_cache(asked), folder));
-    return command;
-}
-
 /// Of the race's time, a process that models machines is planned to take one.
 constexpr double parts_of_time = 8;
 
 constexpr const char* no_time = "no time was left (--time)";
 
 /// By what the first look took. A traced query takes about 60 times as long, and as long again for the
-/// caches of each machine; processors share that. A sweep is of every table with every algorithm of the
-/// cells.
+/// caches of each machine; processors share that.
 RaceCost cost_of(const std::vector<ScreenedCell>& cells, std::size_t machines) {
     constexpr double traced_over_timed = 60, checks_over_first_look = 2;
-    const RaceSweep sweep = sweep_of(cells);
-    const double swept = static_cast<double>(sweep.tables.size() * sweep.algorithms.size()) /
-                         static_cast<double>(cells.size());
+    const auto [tables, algorithms] = swept_for(cells);
+    const double swept =
+        static_cast<double>(tables.size() * algorithms.size()) / static_cast<double>(cells.size());
     RaceCost cost;
     for (const ScreenedCell& cell : cells) {
         cost.process += swept * checks_over_first_look * cell.seconds;
-        cost.round += swept * cell.ns * 1e-9 * static_cast<double>(sweep.queries);
+        cost.round += swept * cell.ns * 1e-9 * static_cast<double>(swept_queries);
     }
     cost.traces = traced_over_timed * static_cast<double>(1 + std::max<std::size_t>(machines, 1)) *
                   cost.round / std::max(1U, std::thread::hardware_concurrency());
@@ -165,11 +126,7 @@ RaceCost cost_of(const std::vector<ScreenedCell>& cells, std::size_t machines) {
 class Running {
   public:
     Running(const CaseAsked& asked, const std::vector<ScreenedCell>& cells, const RaceOptions& options)
-        : asked_(asked),
-          cells_(cells),
-          named_(options.machines),
-          seconds_(options.seconds),
-          sweep_(sweep_of(cells)) {}
+        : asked_(asked), cells_(cells), named_(options.machines), seconds_(options.seconds) {}
 
     Race run() {
         std::string problem = named_.empty() ? "" : model_named_machines();
@@ -177,10 +134,10 @@ class Running {
         plan.processes = std::min(plan.processes, studies::advise::whole_race.processes - race_.processes());
         const bool hosts_caches = std::ranges::find(named_, studies::advise::this_machine) == named_.end();
         for (int left = plan.processes; left > 0 && problem.empty(); --left) {
-            sweep_.rounds = plan.rounds;
-            sweep_.times_in_cache = left == plan.processes && asked_.recording.empty();
-            sweep_.machines.clear();
-            if (left == 1 && hosts_caches) sweep_.machines = {studies::advise::this_machine};
+            rounds_ = plan.rounds;
+            times_in_cache_ = left == plan.processes && asked_.recording.empty();
+            machines_.clear();
+            if (left == 1 && hosts_caches) machines_ = {studies::advise::this_machine};
             problem = run_process(seconds_left());
         }
         race_.problem = problem;
@@ -196,7 +153,7 @@ class Running {
     /// others may keep the processors busy; where it takes too long all the same, it is begun again with the
     /// fastest and the baseline.
     std::string model_named_machines() {
-        sweep_.machines = named_;
+        machines_ = named_;
         while (expected_seconds(studies::advise::least_race) > seconds_ / parts_of_time &&
                leave_out_slowest())
             continue;
@@ -208,10 +165,7 @@ class Running {
 
     std::string model_within(double seconds) {
         const bool has_time = expected_seconds(studies::advise::whole_race) < seconds_ / parts_of_time;
-        sweep_.rounds = (has_time ? studies::advise::whole_race : studies::advise::least_race).rounds;
-        const RaceSweep chosen = sweep_of(cells_);
-        sweep_.tables = chosen.tables;
-        sweep_.algorithms = chosen.algorithms;
+        rounds_ = (has_time ? studies::advise::whole_race : studies::advise::least_race).rounds;
         return run_process(seconds);
     }
 
@@ -231,17 +185,50 @@ class Running {
         return true;
     }
 
+    /// Returns the command line of a process: a sweep of this program into that store, a store of its own, in
+    /// a folder that goes with the race. It is ended after this number of seconds.
+    [[nodiscard]] std::vector<std::string> command(const std::string& store, double seconds) const {
+        // coreutils' timeout ends it when the time is over; Ctrl-C still ends both.
+        std::vector<std::string> command = {"timeout",
+                                            "--foreground",
+                                            "--signal=KILL",
+                                            fmt::format("{:.3f}", seconds),
+                                            fs::read_symlink("/proc/self/exe").string(),
+                                            "sweep",
+                                            "--no-report"};
+        const auto option = [&](const char* name, const std::string& value) {
+            command.insert(command.end(), {name, value});
+        };
+        const auto [tables, algorithms] = swept_for(cells_);
+        const bool traces = !machines_.empty();
+        option("--store", store);
+        option("--layouts", comma_list(tables));
+        option("--algorithms", comma_list(algorithms));
+        option("--queries", std::to_string(swept_queries));
+        option("--checked", std::to_string(swept_checked));
+        option("--rounds", std::to_string(rounds_));
+        option("--seed", std::to_string(asked_.seed));
+        option("--probes", traces ? "time,error,bytes,memory,lines,caches" : "time,error,bytes,memory");
+        if (traces) {
+            option("--caches", "all");
+            option("--machines", comma_list(machines_));
+        }
+        if (asked_.as_stored) command.emplace_back("--as-stored");
+        option("--scenes", scene_file(case_scene, asked_, scene_of(asked_), folder_));
+        if (times_in_cache_) command.push_back(scene_file(small_scene, asked_, in_cache(asked_), folder_));
+        return command;
+    }
+
     /// Empty, or why it did not come to its end.
     std::string run_process(double seconds) {
         if (stop_requested) return "stopped";
         if (seconds <= 0) return no_time;
-        sweep_.traces = !sweep_.machines.empty();
-        sweep_.store = folder_.file(std::to_string(++begun_) + ".db");
+        const std::string store = folder_.file(std::to_string(++begun_) + ".db");
         const measure::Stopwatch watch;
-        const auto run = measure::run_program(command_of(sweep_, asked_, folder_, seconds));
+        const auto run = measure::run_program(command(store, seconds));
         if (!run.value) return run.reason;
         if (run.value->exit_code != 0) return watch.elapsed_ns() * 1e-9 >= seconds ? no_time : run.value->err;
-        race_.stores.push_back(reports::read_report(sweep_.store));
+        race_.stores.push_back(reports::read_report(store));
         take_caches(race_.stores.back());
         return "";
     }
@@ -268,13 +255,13 @@ class Running {
             if (!measured) continue;
             studies::advise::CacheCost& one = race_.caches[measured->name()];
             if (cell->scene == small_scene) one.in_cache_ns = measured->ns;
-            if (cell->scene == case_scene && sweep_.traces) take_misses(*cell, one);
+            if (cell->scene == case_scene) take_misses(*cell, one);
         }
     }
 
     /// Misses on the asked machines and on this one; a machine with unknown caches has none.
     void take_misses(const reports::ReportCell& cell, studies::advise::CacheCost& one) const {
-        for (const measure::MachineChoice& choice : measure::choose_machines(sweep_.machines)) {
+        for (const measure::MachineChoice& choice : measure::choose_machines(machines_)) {
             if (!choice.machine.value) continue;
             constexpr store::FigureName misses("caches.{machine}.{level}.misses_per_query");
             std::vector<double> levels;
@@ -290,7 +277,9 @@ class Running {
     std::vector<ScreenedCell> cells_;
     std::vector<std::string> named_;  ///< machines
     double seconds_;
-    RaceSweep sweep_;  ///< of the process in hand
+    std::vector<std::string> machines_;  ///< of the process in hand, to model the caches of; none: no traces
+    int rounds_ = 0;                     ///< likewise
+    bool times_in_cache_ = false;        ///< likewise, in addition to timing the case
     WorkFolder folder_;
     measure::Stopwatch watch_;
     Race race_;

@@ -53,10 +53,6 @@ sweep::SweepListener listener_for(Progress& progress, const OnCells& on_cells) {
         progress.advance(cells, what);
         if (cells > 0) on_cells(cells);
     };
-    listener.on_resumed = [&](std::size_t cells) {
-        progress.advance(cells);
-        on_cells(cells);
-    };
     listener.on_warning = [&](const std::string& line) {
         progress.clear();
         warn(line);

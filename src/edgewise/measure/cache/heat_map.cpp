@@ -2,42 +2,24 @@
 #include "edgewise/measure/cache/heat_map.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <functional>
 #include <numeric>
 #include <utility>
 
 namespace edgewise::measure {
-namespace {
-
-/// Calls use(word, bits) for each word that the range meets, with the range's bits in it.
-template <class Use>
-void each_word(std::uint64_t from, std::uint64_t bytes, Use use) {
-    const std::uint64_t end = from + bytes;
-    for (std::uint64_t at = from; at < end;) {
-        const std::uint64_t stop = std::min(end, (at / 64 + 1) * 64);
-        const std::uint64_t ones = ~std::uint64_t{0} >> (64 - (stop - at));
-        use(at / 64, ones << at % 64);
-        at = stop;
-    }
-}
-
-}  // namespace
 
 void TouchedBytes::touch(std::uint64_t from, std::uint64_t bytes) {
-    const std::uint64_t needed = (from + bytes + 63) / 64;
-    if (needed > words_.size()) words_.resize(std::max<std::uint64_t>(needed, 2 * words_.size()), 0);
-    each_word(from, bytes, [&](std::uint64_t word, std::uint64_t bits) { words_[word] |= bits; });
+    const std::uint64_t needed = from + bytes;
+    if (needed > bytes_.size()) bytes_.resize(std::max<std::uint64_t>(needed, 2 * bytes_.size()));
+    const auto first = bytes_.begin() + static_cast<std::ptrdiff_t>(from);
+    std::fill(first, first + static_cast<std::ptrdiff_t>(bytes), true);
 }
 
 std::uint64_t TouchedBytes::count(std::uint64_t from, std::uint64_t bytes) const {
-    std::uint64_t sum = 0;
-    const std::uint64_t there = 64 * words_.size();
-    if (from >= there) return 0;
-    each_word(from, std::min(bytes, there - from), [&](std::uint64_t word, std::uint64_t bits) {
-        sum += static_cast<std::uint64_t>(std::popcount(words_[word] & bits));
-    });
-    return sum;
+    if (from >= bytes_.size()) return 0;
+    const auto first = bytes_.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto there = static_cast<std::ptrdiff_t>(std::min(bytes, bytes_.size() - from));
+    return static_cast<std::uint64_t>(std::count(first, first + there, true));
 }
 
 HeatMap::HeatMap(std::size_t fields, std::size_t steps) : by_step_(steps) {

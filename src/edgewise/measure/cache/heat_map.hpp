@@ -20,10 +20,10 @@ class TouchedBytes {
 
     /// Returns how many of the bytes from .. from + bytes - 1 were touched.
     [[nodiscard]] std::uint64_t count(std::uint64_t from, std::uint64_t bytes) const;
-    [[nodiscard]] std::uint64_t count() const { return count(0, 64 * words_.size()); }
+    [[nodiscard]] std::uint64_t count() const { return count(0, bytes_.size()); }
 
   private:
-    std::vector<std::uint64_t> words_;
+    std::vector<bool> bytes_;
 };
 
 class HeatMap final : public TraceListener {

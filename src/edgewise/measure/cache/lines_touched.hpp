@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <unordered_set>
 
 #include "edgewise/measure/cache/trace.hpp"
 
@@ -38,18 +38,7 @@ class LineCounter final : public TraceListener {
     ByStart<LinesTouched> sums_;
     LinesTouched query_;
     std::optional<QueryStart> start_;
-    struct Seen {
-        std::uint64_t line;  ///< twice the line, and the side
-        std::uint64_t query = 0;
-    };
-
-    /// Returns true if this query had not read the line before.
-    bool is_new(std::uint64_t line);
-    void grow();
-
-    std::uint64_t query_number_ = 1;
-    std::vector<Seen> seen_ =
-        std::vector<Seen>(1024);  ///< hashed, at most half full of this query's; a power of two
+    std::unordered_set<std::uint64_t> lines_;  ///< of the current query: twice the line, and the side
 };
 
 }  // namespace edgewise::measure

@@ -65,9 +65,9 @@ class SceneCaches::Modelled {
             above = level.inclusion == Inclusion::exclusive ? above + own : own;
             capacity_.push_back(above);
             const std::vector<std::uint64_t> no_field(fields), no_step(steps);
-            const LevelMisses none{level.name, 0, 0, {}, no_field, no_step};
-            for (auto* levels : {&levels_.all, &levels_.cold, &levels_.warm}) levels->push_back(none);
+            none_.push_back({level.name, 0, 0, {}, no_field, no_step});
         }
+        levels_ = {none_, none_, none_};
     }
 
     [[nodiscard]] std::uint32_t unit() const { return model_.geometry().line_bytes; }
@@ -100,13 +100,7 @@ class SceneCaches::Modelled {
     [[nodiscard]] const CacheModel& model() const { return model_; }
     void forget_counts() {
         model_.forget_counts();
-        for (auto* levels : {&levels_.all, &levels_.cold, &levels_.warm}) {
-            for (LevelMisses& level : *levels) {
-                const std::vector<std::uint64_t> no_field(level.by_field.size()),
-                    no_step(level.by_step.size());
-                level = {level.level, 0, 0, {}, no_field, no_step};
-            }
-        }
+        levels_ = {none_, none_, none_};
     }
 
   private:
@@ -123,6 +117,7 @@ class SceneCaches::Modelled {
     CacheModel model_;
     Prefetcher prefetcher_;
     std::vector<std::uint64_t> capacity_;
+    std::vector<LevelMisses> none_;             ///< counts before the first access
     ByStart<std::vector<LevelMisses>> levels_;  ///< accesses and first touches: of the first alone
 };
 

@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 #include <linux/perf_event.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <map>
@@ -33,13 +34,22 @@ struct NamedEvent {
     std::string name, meaning;
 };
 
+/// Maker of the processor, from the vendor's name in /proc/cpuinfo.
+CpuMaker maker_of(const Cpu& cpu) {
+    const std::string vendor = cpu.vendor.value.value_or("");
+    if (vendor == "GenuineIntel") return CpuMaker::intel;
+    if (vendor == "AuthenticAMD" || vendor == "HygonGenuine") return CpuMaker::amd;
+    if (vendor.starts_with("0x")) return CpuMaker::arm;
+    return CpuMaker::other;
+}
+
 /// Named events in the order in which they are tried.
 std::vector<NamedEvent> names_of(const MetricName& metric, const Cpu& cpu) {
     std::vector<NamedEvent> names;
     const Processor* const processor = find_processor(cpu);
-    if (const EventRow* const row = processor ? find_event(metric.metric, processor->generation) : nullptr)
+    if (const EventRow* const row = processor ? find_event(metric.name, processor->generation) : nullptr)
         names.push_back({own_event, fmt::format("{}::{}", processor->pmu, row->name), meaning(*row)});
-    if (const GenericEvent* const generic = find_generic(metric.metric, maker_of(cpu)))
+    if (const GenericEvent* const generic = find_generic(metric.name, maker_of(cpu)))
         names.push_back(
             {generic_event, fmt::format("perf::{}", generic->name), std::string(generic->meaning)});
     return names;
@@ -47,6 +57,16 @@ std::vector<NamedEvent> names_of(const MetricName& metric, const Cpu& cpu) {
 
 /// The errno of opening the event; 0 if it opens.
 int error_of(const EventCode& code) { return CounterGroup(std::span(&code, 1)).error(); }
+
+/// Names of the processors that have an event for the metric, as "Intel Skylake, AMD Zen 3".
+std::string processors_with(std::string_view metric) {
+    std::string names;
+    for (const Processor& processor : processors()) {
+        if (find_event(metric, processor.generation) == nullptr) continue;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", processor.name);
+    }
+    return names;
+}
 
 Refusal why_no_event(const MetricName& metric, const Cpu& cpu) {
     if (const auto names = names_of(metric, cpu); !names.empty())
@@ -57,7 +77,7 @@ Refusal why_no_event(const MetricName& metric, const Cpu& cpu) {
                                   ? std::string(processor->name)
                                   : fmt::format("this processor ({})", cpu.name.value.value_or("unknown"));
     return {fmt::format("no event that counts this is known on {}", where),
-            fmt::format("measure on one of: {}", processors_with(metric.metric))};
+            fmt::format("measure on one of: {}", processors_with(metric.name))};
 }
 
 }  // namespace
@@ -158,27 +178,14 @@ ChosenEvent software_event(std::string_view name, std::uint64_t config, std::str
 
 namespace {
 
-using namespace generation;
-using enum Metric;
-
 struct EventTables {
     std::vector<EventRow> own;
     std::vector<GenericEvent> generic;
 };
 
-/// Reads events.json. Throws nlohmann::json::exception or std::out_of_range if a member is missing or names
-/// something unknown.
+/// Reads events.json. Throws nlohmann::json::exception if a member is missing, std::out_of_range if a maker
+/// is unknown.
 EventTables read_tables() {
-    const std::map<std::string, unsigned> on = {{"intel", skylake | sapphire_rapids},
-                                                {"zen", zen2 | zen3 | zen4 | zen5},
-                                                {"zen2", zen2},
-                                                {"zen3", zen3},
-                                                {"zen4", zen4},
-                                                {"zen5", zen5},
-                                                {"arm", neoverse_n1 | neoverse_v2},
-                                                {"neoverse_n1", neoverse_n1},
-                                                {"neoverse_v2", neoverse_v2},
-                                                {"k7", k7}};
     const std::map<std::string, CpuMaker> makers = {{"intel", CpuMaker::intel},
                                                     {"amd", CpuMaker::amd},
                                                     {"arm", CpuMaker::arm},
@@ -188,14 +195,12 @@ EventTables read_tables() {
     for (const MetricName& metric : metrics) {
         const std::string name(metric.name);
         for (const auto& row : texts.at("own").at(name)) {
-            unsigned generations = 0;
-            for (const auto& set : row.at("on")) generations |= on.at(set.get<std::string>());
-            read.own.push_back({metric.metric, generations, row.at("name").get<std::string>(),
-                                row.at("counts").get<std::string>(), row.value("prefetches", false),
-                                row.value("retired", false)});
+            read.own.push_back({metric, row.at("on").get<std::vector<std::string>>(),
+                                row.at("name").get<std::string>(), row.at("counts").get<std::string>(),
+                                row.value("prefetches", false), row.value("retired", false)});
         }
         for (const auto& row : texts.at("generic").at(name))
-            read.generic.push_back({metric.metric, makers.at(row.at("maker").get<std::string>()),
+            read.generic.push_back({metric.name, makers.at(row.at("maker").get<std::string>()),
                                     row.at("name").get<std::string>(), row.at("meaning").get<std::string>()});
     }
     return read;
@@ -210,14 +215,14 @@ const EventTables& tables() {
 
 std::span<const EventRow> event_table() { return tables().own; }
 
-const EventRow* find_event(Metric metric, unsigned generation) {
+const EventRow* find_event(std::string_view metric, std::string_view generation) {
     for (const EventRow& row : tables().own) {
-        if (row.metric == metric && (row.generations & generation) != 0) return &row;
+        if (row.metric.name == metric && std::ranges::count(row.generations, generation) > 0) return &row;
     }
     return nullptr;
 }
 
-const GenericEvent* find_generic(Metric metric, CpuMaker maker) {
+const GenericEvent* find_generic(std::string_view metric, CpuMaker maker) {
     for (const GenericEvent& event : tables().generic) {
         if (event.metric == metric && (event.maker == CpuMaker::other || event.maker == maker)) return &event;
     }
@@ -225,43 +230,34 @@ const GenericEvent* find_generic(Metric metric, CpuMaker maker) {
 }
 
 std::string meaning(const EventRow& row) {
-    if (row.metric == cycles) return row.counts;
+    if (row.metric.name == "cycles") return row.counts;
     const char* const when = row.retired ? "retired" : "speculative ones too";
     // Prefetches are a question of what moves between caches only.
-    if (row.metric < l1d_fills || row.metric == line_crossing_loads)
+    if (row.metric.level == "core" || row.metric.name == "line_crossing_loads")
         return fmt::format("{} ({})", row.counts, when);
     return fmt::format("{} ({}, {})", row.counts, row.prefetches ? "prefetches too" : "without prefetches",
                        when);
 }
 
-std::string processors_with(Metric metric) {
-    std::string names;
-    for (const Processor& processor : processors()) {
-        if (find_event(metric, processor.generation) == nullptr) continue;
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", processor.name);
-    }
-    return names;
-}
-
 std::span<const Processor> processors() {
-    using namespace generation;
     using enum CpuMaker;
     static constexpr Processor known[] = {
         // To Kaby, Coffee and Whiskey Lake (0x8e, 0x9e) and Comet Lake (0xa5).
-        {"skl", "Intel Skylake", skylake, intel, 6, {{0x4e}, {0x5e}, {0x8e}, {0x9e}, {0xa5, 0xa6}}},
-        {"skx", "Intel Skylake server", skylake, intel, 6, {{0x55}}, {0, 4}},
-        {"clx", "Intel Cascade Lake server", skylake, intel, 6, {{0x55}}, {5, 0xf}},
+        {"skl", "Intel Skylake", "skylake", intel, 6, {{0x4e}, {0x5e}, {0x8e}, {0x9e}, {0xa5, 0xa6}}},
+        {"skx", "Intel Skylake server", "skylake", intel, 6, {{0x55}}, {0, 4}},
+        {"clx", "Intel Cascade Lake server", "skylake", intel, 6, {{0x55}}, {5, 0xf}},
         // To Tiger Lake (0x8c) and Rocket Lake (0xa7).
-        {"icl", "Intel Ice Lake", skylake, intel, 6, {{0x7d, 0x7e}, {0x8c, 0x8d}, {0x9d}, {0xa7}}},
-        {"icx", "Intel Ice Lake server", skylake, intel, 6, {{0x6a}, {0x6c}}},
-        {"spr", "Intel Sapphire Rapids", sapphire_rapids, intel, 6, {{0x8f}, {0xcf}}},  // and Emerald Rapids
-        {"amd64_fam17h_zen2", "AMD Zen 2", zen2, amd, 0x17, {{0x30, 0xff}}},
-        {"amd64_fam19h_zen3", "AMD Zen 3", zen3, amd, 0x19, {{0x00, 0x0f}, {0x20, 0x5f}}},
-        {"amd64_fam19h_zen4", "AMD Zen 4", zen4, amd, 0x19, {{0x10, 0x1f}, {0x60, 0xaf}}},
-        {"amd64_fam1ah_zen5", "AMD Zen 5", zen5, amd, 0x1a, {{0x00, 0x2f}, {0x40, 0x4f}, {0x60, 0x7f}}},
-        {"arm_n1", "Arm Neoverse N1", neoverse_n1, arm, 8, {{0xd0c}}},
-        {"arm_v2", "Arm Neoverse V2", neoverse_v2, arm, 8, {{0xd4f}}},
-        {"amd64_k7", "AMD K7", k7, amd, 6, {{0x00, 0xff}}},
+        {"icl", "Intel Ice Lake", "skylake", intel, 6, {{0x7d, 0x7e}, {0x8c, 0x8d}, {0x9d}, {0xa7}}},
+        {"icx", "Intel Ice Lake server", "skylake", intel, 6, {{0x6a}, {0x6c}}},
+        // To Emerald Rapids (0xcf).
+        {"spr", "Intel Sapphire Rapids", "sapphire_rapids", intel, 6, {{0x8f}, {0xcf}}},
+        {"amd64_fam17h_zen2", "AMD Zen 2", "zen2", amd, 0x17, {{0x30, 0xff}}},
+        {"amd64_fam19h_zen3", "AMD Zen 3", "zen3", amd, 0x19, {{0x00, 0x0f}, {0x20, 0x5f}}},
+        {"amd64_fam19h_zen4", "AMD Zen 4", "zen4", amd, 0x19, {{0x10, 0x1f}, {0x60, 0xaf}}},
+        {"amd64_fam1ah_zen5", "AMD Zen 5", "zen5", amd, 0x1a, {{0x00, 0x2f}, {0x40, 0x4f}, {0x60, 0x7f}}},
+        {"arm_n1", "Arm Neoverse N1", "neoverse_n1", arm, 8, {{0xd0c}}},
+        {"arm_v2", "Arm Neoverse V2", "neoverse_v2", arm, 8, {{0xd4f}}},
+        {"amd64_k7", "AMD K7", "k7", amd, 6, {{0x00, 0xff}}},
     };
     return known;
 }
@@ -276,14 +272,6 @@ const Processor* find_processor(const Cpu& cpu) {
         }
     }
     return nullptr;
-}
-
-CpuMaker maker_of(const Cpu& cpu) {
-    const std::string vendor = cpu.vendor.value.value_or("");
-    if (vendor == "GenuineIntel") return CpuMaker::intel;
-    if (vendor == "AuthenticAMD" || vendor == "HygonGenuine") return CpuMaker::amd;
-    if (vendor.starts_with("0x")) return CpuMaker::arm;
-    return CpuMaker::other;
 }
 
 }  // namespace edgewise::measure

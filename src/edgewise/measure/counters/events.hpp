@@ -31,23 +31,7 @@ struct EventCode {
 /// processor's, not the kernel's own.
 [[nodiscard]] Refusal explain_error(int error, bool hardware, const Cpu& cpu);
 
-enum class Metric {
-    instructions,
-    cycles,
-    branches,
-    branch_misses,
-    loads,
-    stores,
-    l1d_fills,
-    l1d_load_misses,
-    l2_demand_misses,
-    llc_misses,
-    dtlb_walks,
-    line_crossing_loads
-};
-
 struct MetricName {
-    Metric metric;
     std::string_view name;
     std::string_view level;  ///< of the caches, where it is about them: "core", "L1D", "L2", "LLC" ...
     bool must_happen;  ///< in any work of many thousand loads over more memory than the first cache holds
@@ -56,18 +40,18 @@ struct MetricName {
 /// In the order of reports. Four in a row are counted together, so ratios within such a row are of the same
 /// run.
 inline constexpr std::array<MetricName, 12> metrics{{
-    {Metric::instructions, "instructions", "core", true},
-    {Metric::cycles, "cycles", "core", true},
-    {Metric::branches, "branches", "core", true},
-    {Metric::branch_misses, "branch_misses", "core", false},
-    {Metric::loads, "loads", "core", true},
-    {Metric::stores, "stores", "core", true},
-    {Metric::l1d_fills, "l1d_fills", "L1D", true},
-    {Metric::l1d_load_misses, "l1d_load_misses", "L1D", true},
-    {Metric::l2_demand_misses, "l2_demand_misses", "L2", false},
-    {Metric::llc_misses, "llc_misses", "LLC", false},
-    {Metric::dtlb_walks, "dtlb_walks", "dTLB, page walks", false},
-    {Metric::line_crossing_loads, "line_crossing_loads", "L1D", false},
+    {"instructions", "core", true},
+    {"cycles", "core", true},
+    {"branches", "core", true},
+    {"branch_misses", "core", false},
+    {"loads", "core", true},
+    {"stores", "core", true},
+    {"l1d_fills", "L1D", true},
+    {"l1d_load_misses", "L1D", true},
+    {"l2_demand_misses", "L2", false},
+    {"llc_misses", "LLC", false},
+    {"dtlb_walks", "dTLB, page walks", false},
+    {"line_crossing_loads", "L1D", false},
 }};
 
 /// Why libpfm cannot be used: it was left out of this build, or did not start. Empty if it can be used.
@@ -116,16 +100,6 @@ struct ChosenEvent {
 
 enum class CpuMaker { intel, amd, arm, other };
 
-/// Processors with the same events; a bit each, so that a set of them is a sum. Processors are distinguished
-/// as libpfm does: by vendor, family, model and stepping.
-namespace generation {
-inline constexpr unsigned skylake = 1;  ///< to Ice Lake
-inline constexpr unsigned sapphire_rapids = 2;
-inline constexpr unsigned zen2 = 4, zen3 = 8, zen4 = 16, zen5 = 32;
-inline constexpr unsigned neoverse_n1 = 64, neoverse_v2 = 128;
-inline constexpr unsigned k7 = 256;
-}  // namespace generation
-
 /// Numbers first .. last; one number if no last is given.
 struct NumberRange {
     std::int64_t first = -1, last = first;
@@ -135,10 +109,11 @@ struct NumberRange {
     }
 };
 
+/// Processors are distinguished as libpfm does: by vendor, family, model and stepping.
 struct Processor {
     std::string_view pmu;  ///< libpfm's name
     std::string_view name;
-    unsigned generation;  ///< one bit
+    std::string_view generation;  ///< processors of one have the same events
     CpuMaker maker;
     std::int64_t family;    ///< Arm: the architecture, always 8
     NumberRange models[5];  ///< unused ones hold no number
@@ -151,20 +126,17 @@ struct Processor {
 /// Null for a processor that is not in the table.
 [[nodiscard]] const Processor* find_processor(const Cpu& cpu);
 
-/// Maker of the processor, from the vendor's name in /proc/cpuinfo.
-[[nodiscard]] CpuMaker maker_of(const Cpu& cpu);
-
 struct EventRow {
-    Metric metric;
-    unsigned generations;     ///< a set of bits of namespace generation
-    std::string name;         ///< libpfm's, without the PMU
-    std::string counts;       ///< in words
+    MetricName metric;
+    std::vector<std::string> generations;  ///< of the processors that have it
+    std::string name;                      ///< libpfm's, without the PMU
+    std::string counts;                    ///< in words
     bool prefetches = false;  ///< counts what the prefetchers asked for too; else only what instructions did
     bool retired = false;     ///< counts what the program truly did; else also on paths that were dropped
 };
 
 struct GenericEvent {
-    Metric metric;
+    std::string_view metric;
     CpuMaker maker;    ///< CpuMaker::other: every maker
     std::string name;  ///< libpfm's, of the PMU "perf"
     std::string meaning;
@@ -176,15 +148,12 @@ extern const char* const event_texts;
 [[nodiscard]] std::span<const EventRow> event_table();
 
 /// Null if this processor has no such event.
-[[nodiscard]] const EventRow* find_event(Metric metric, unsigned generation);
+[[nodiscard]] const EventRow* find_event(std::string_view metric, std::string_view generation);
 
 /// Null if no generic event counts this on a processor of that maker.
-[[nodiscard]] const GenericEvent* find_generic(Metric metric, CpuMaker maker);
+[[nodiscard]] const GenericEvent* find_generic(std::string_view metric, CpuMaker maker);
 
 /// What a row counts, in one phrase.
 [[nodiscard]] std::string meaning(const EventRow& row);
-
-/// Names of the processors that have an event for the metric, as "Intel Skylake, AMD Zen 3".
-[[nodiscard]] std::string processors_with(Metric metric);
 
 }  // namespace edgewise::measure

@@ -12,8 +12,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <optional>
+
+#include "edgewise/measure/stopwatch.hpp"
 
 namespace edgewise::measure {
 
@@ -31,16 +32,9 @@ struct Pager {
 };
 Pager* living = nullptr;
 
-double now_ns() {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
 /// Spins: what a sleep takes beyond what is asked is more than a cheap fault.
 void wait(double ns) {
-    const double end = now_ns() + ns;
-    while (now_ns() < end) {
+    for (const Stopwatch watch; watch.elapsed_ns() < ns;) {
     }
 }
 

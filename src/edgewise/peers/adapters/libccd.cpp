@@ -25,10 +25,7 @@ struct Libccd {
         explicit Shape(const Polyhedron& body) : vertices(body.vertices) {}
         std::vector<Vec3d> vertices;
     };
-    struct Placed {
-        explicit Placed(const Pose& given) : pose(given) {}
-        Pose pose;
-    };
+    using Placed = Pose;
     struct Cache {};
 
     /// What libccd hands back to the support function.
@@ -60,7 +57,7 @@ struct Libccd {
         CCD_INIT(&settings);
         settings.support1 = settings.support2 = support;
         settings.max_iterations = 100;
-        const Body body_a{&a, &at_a.pose}, body_b{&b, &at_b.pose};
+        const Body body_a{&a, &at_a}, body_b{&b, &at_b};
         return {.separated = ccdGJKIntersect(&body_a, &body_b, &settings) == 0};
     }
 };

@@ -36,9 +36,6 @@ struct SceneSetup {
 /// Largest distance of a vertex from a point.
 [[nodiscard]] double reach(std::span<const Vec3d> vertices, const Vec3d& from);
 
-/// Shortest side of the vertices' box along x, y and z.
-[[nodiscard]] double smallest_dimension(std::span<const Vec3d> vertices);
-
 /// Box of a posed body in world axes, by a full scan of the vertices.
 [[nodiscard]] Aabb world_box(const Polyhedron& body, const Pose& pose);
 

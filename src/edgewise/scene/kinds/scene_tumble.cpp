@@ -72,7 +72,7 @@ class Population {
     /// Way of one step in metres, for the body as given, whatever its scale.
     [[nodiscard]] double way_of_a_step() const {
         const double of_dimension = setup_["step_in_dimensions"];
-        return of_dimension > 0 ? of_dimension * smallest_dimension(setup_.shape.vertices)
+        return of_dimension > 0 ? of_dimension * box_of(setup_.shape.vertices).sides().minCoeff()
                                 : setup_["translation_step"] * extent(setup_.shape.vertices);
     }
 

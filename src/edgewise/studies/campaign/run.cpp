@@ -28,6 +28,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FamilyTally, blocks, pairs, refused_pairs, se
                                    overlapping, grazing, double_proofs, wide_proofs, exact_proofs, answers,
                                    refused, in_band, exact_answers, wrong, making_s, asking_s, proving_s,
                                    least_vertices, most_vertices)
+/// All but the worst error, which may be no number.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CellTally, answers, refused, in_band, wrong, worst_pair)
 
 namespace {
 
@@ -40,13 +42,6 @@ constexpr std::uint64_t FamilyTally::*family_sums[] = {
     &FamilyTally::in_band,      &FamilyTally::exact_answers, &FamilyTally::wrong};
 constexpr double FamilyTally::*family_seconds[] = {&FamilyTally::making_s, &FamilyTally::asking_s,
                                                    &FamilyTally::proving_s};
-/// By their names in files.
-constexpr std::pair<const char*, std::uint64_t CellTally::*> cell_sums[] = {
-    {"answers", &CellTally::answers},
-    {"refused", &CellTally::refused},
-    {"in_band", &CellTally::in_band},
-    {"wrong", &CellTally::wrong},
-};
 
 }  // namespace
 
@@ -61,7 +56,10 @@ void FamilyTally::add(const FamilyTally& other) {
 
 /// Adds sums. NaN counts as the worst error; of two equal worst errors the first pair is kept.
 void CellTally::add(const CellTally& other) {
-    for (const auto& [name, member] : cell_sums) this->*member += other.*member;
+    answers += other.answers;
+    refused += other.refused;
+    in_band += other.in_band;
+    wrong += other.wrong;
     const auto rank = [](double error) {
         return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
     };
@@ -86,12 +84,10 @@ FamilyTally Tally::all_families() const {
 nlohmann::json to_json(const Tally& tally) {
     nlohmann::json cells = nlohmann::json::object();
     for (const auto& [name, cell] : tally.cells) {
-        nlohmann::json& object = cells[name];
-        for (const auto& [key, member] : cell_sums) object[key] = cell.*member;
+        cells[name] = cell;
         // JSON has no NaN and no infinity.
-        object["worst_error"] =
+        cells[name]["worst_error"] =
             std::isfinite(cell.worst_error) ? nlohmann::json(cell.worst_error) : nlohmann::json();
-        object["worst_pair"] = cell.worst_pair;
     }
     return {{"families", tally.families}, {"cells", cells}};
 }
@@ -101,10 +97,9 @@ Tally tally_of(const nlohmann::json& text) {
     for (const auto& [name, object] : text.at("families").items()) object.get_to(tally.families[name]);
     for (const auto& [name, object] : text.at("cells").items()) {
         CellTally& cell = tally.cells[name];
-        for (const auto& [key, member] : cell_sums) cell.*member = object.at(key).get<std::uint64_t>();
+        object.get_to(cell);
         const nlohmann::json& worst = object.at("worst_error");
         cell.worst_error = worst.is_null() ? std::numeric_limits<double>::quiet_NaN() : worst.get<double>();
-        cell.worst_pair = object.at("worst_pair").get<std::uint64_t>();
     }
     return tally;
 }

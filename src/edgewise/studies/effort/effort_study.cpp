@@ -153,8 +153,8 @@ bool store_effort(const EffortPlan& plan, const std::string& build, store::Store
                   const std::atomic<bool>& stop) {
     constexpr store::FigureName misses("effort.{machine}.d1_misses");
     const auto lacks_counts = [&](const store::CellRow& row) {
-        const store::StoredCell stored{row, store.figures(build, row.hash)};
-        return !stored.figure(misses.of(plan.machine.name)).value;
+        const auto stored = store.find_cell(build, row.hash);
+        return !stored || !stored->figure(misses.of(plan.machine.name)).value;
     };
     return run_effort(
         plan, lacks_counts,

@@ -43,8 +43,9 @@ class KindReads {
   public:
     KindReads(const FieldTrace& trace, const Fields& fields) : sized_(trace.fields()) {
         for (const std::uint8_t field : fields) of_kind_ |= std::uint32_t{1} << field;
-        for (const TableFields& table : trace.tables)
-            for (const std::uint8_t field : fields) records_ = std::max(records_, table.records[field]);
+        for (const FieldMap& table : trace.tables)
+            for (const FieldPlace& place : table.places)
+                if ((of_kind_ >> place.field & 1) != 0) records_ = std::max(records_, place.element + 1);
         collect(trace);
     }
 
@@ -230,15 +231,6 @@ namespace {
 
 using Names = std::vector<std::vector<std::string>>;
 
-Names names_of(const FieldGroups& groups, std::span<const RecordField> fields) {
-    Names names;
-    groups.for_each([&](std::span<const std::uint8_t> group) {
-        names.emplace_back();
-        for (const std::uint8_t field : group) names.back().emplace_back(fields[field].name);
-    });
-    return names;
-}
-
 Names read_names(const std::string& file) {
     const auto json = input::parse_json(input::read_file_text(file).or_throw());
     std::string problem = json.error;
@@ -263,15 +255,13 @@ std::string all_names(std::span<const RecordField> fields) {
 
 }  // namespace
 
-std::string groups_text(const FieldGroups& groups, std::span<const RecordField> fields) {
-    std::vector<std::string> texts;
-    for (const auto& group : names_of(groups, fields))
-        texts.push_back(fmt::format("{}", fmt::join(group, ",")));
-    return fmt::format("{}", fmt::join(texts, "|"));
-}
-
 nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields) {
-    return names_of(groups, fields);
+    Names names;
+    groups.for_each([&](std::span<const std::uint8_t> group) {
+        names.emplace_back();
+        for (const std::uint8_t field : group) names.back().emplace_back(fields[field].name);
+    });
+    return names;
 }
 
 FieldGroups read_groups(const std::string& file, std::span<const RecordField> fields) {

@@ -60,11 +60,12 @@ class FieldRecorder final : public measure::TraceListener {
     std::optional<measure::TracedAccess> unknown_;
 };
 
-TableFields fields_of(const FieldMap& map) {
-    TableFields table{map.fields, std::vector<std::uint32_t>(map.fields.size())};
-    for (const FieldPlace& place : map.places)
-        table.records[place.field] = std::max(table.records[place.field], place.element + 1);
-    return table;
+/// Returns how many records have each field.
+std::vector<std::uint32_t> records_of(const FieldMap& table) {
+    std::vector<std::uint32_t> records(table.fields.size());
+    for (const FieldPlace& place : table.places)
+        records[place.field] = std::max(records[place.field], place.element + 1);
+    return records;
 }
 
 /// Returns false for nodes: their records hold other fields.
@@ -76,32 +77,32 @@ bool holds_stored_fields(const FieldMap& map) {
 
 FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
                         const std::string& table) {
-    const std::vector<FieldMap> maps = runner.field_maps();
-    if (maps.empty() || !holds_stored_fields(maps.front()) || !runner.table_allocator().base())
+    FieldTrace trace;
+    trace.tables = runner.field_maps();
+    if (trace.tables.empty() || !holds_stored_fields(trace.tables.front()) ||
+        !runner.table_allocator().base())
         throw std::invalid_argument(
             fmt::format("{}: this layout does not keep its fields in arrays, each in a place of its own; "
                         "name aos, aos_padded, hot_cold, soa, soa_stagger, aosoa or grouped",
                         table));
-    FieldRecorder recorder(maps);
-    FieldTrace trace;
+    FieldRecorder recorder(trace.tables);
     trace.queries = runner.trace(extent, recorder).queries;
     if (const auto& unknown = recorder.unknown())
         throw std::invalid_argument(
             fmt::format("{}: a read of {} bytes at {} ({}) is of no field that the layout names", table,
                         unknown->bytes, unknown->address, bench::field_names()[unknown->field]));
     trace.events = recorder.take();
-    for (const FieldMap& map : maps) trace.tables.push_back(fields_of(map));
-    trace.maps = maps;
     trace.taken = runner.table_allocator().taken();
     return trace;
 }
 
-GroupedPlaces::GroupedPlaces(const std::vector<TableFields>& tables, const FieldGroups& groups) {
-    for (const TableFields& table : tables) {
-        std::vector<Column>& columns = columns_.emplace_back(table.count());
+GroupedPlaces::GroupedPlaces(const std::vector<FieldMap>& tables, const FieldGroups& groups) {
+    for (const FieldMap& table : tables) {
+        std::vector<Column>& columns = columns_.emplace_back(table.fields.size());
+        const std::vector<std::uint32_t> records = records_of(table);
         BlockPlan plan;
         place_groups(
-            plan, groups, table.fields, [&](std::uint8_t field) { return table.records[field]; },
+            plan, groups, table.fields, [&](std::uint8_t field) { return records[field]; },
             [](const GroupRecord&) { return Shares(); },
             [&](std::uint8_t field, std::size_t start, std::size_t stride) {
                 columns[field] = {start, stride};

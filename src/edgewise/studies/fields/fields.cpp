@@ -140,7 +140,7 @@ class FieldsRun {
 
     /// Returns the table's groups if records made of them reproduce the table: the same lines and bytes.
     [[nodiscard]] std::optional<FieldGroups> own_groups(const FieldTrace& trace) const {
-        const std::optional<FieldGroups> groups = groups_of(trace.maps.front());
+        const std::optional<FieldGroups> groups = groups_of(trace.tables.front());
         if (!groups) return std::nullopt;
         const bool same = GroupedPlaces(trace.tables, *groups).taken() == trace.taken &&
                           predict(trace, *groups).lines == standing_.front().contender.cost.lines;

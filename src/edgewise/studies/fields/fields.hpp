@@ -45,17 +45,8 @@ struct FieldEvent {
     measure::TracedAccess access{};  ///< of an access: as it was; of a step's start, its step
 };
 
-/// Fields of a table's records, and how many records have each.
-struct TableFields {
-    std::vector<RecordField> fields;
-    std::vector<std::uint32_t> records;  ///< by field
-
-    [[nodiscard]] std::size_t count() const { return fields.size(); }
-};
-
 struct FieldTrace {
-    std::vector<FieldMap> maps;       ///< of the tables
-    std::vector<TableFields> tables;  ///< the same in short
+    std::vector<FieldMap> tables;
     std::vector<FieldEvent> events;
     std::uint64_t taken = 0;  ///< bytes of memory from the first table's start to the last one's end
     std::uint64_t queries = 0;
@@ -75,7 +66,7 @@ struct FieldTrace {
 /// Records by groups in one block a table, the tables one after another in an arena: the layout `grouped`.
 class GroupedPlaces {
   public:
-    GroupedPlaces(const std::vector<TableFields>& tables, const FieldGroups& groups);
+    GroupedPlaces(const std::vector<FieldMap>& tables, const FieldGroups& groups);
 
     /// Returns the address of the field.
     [[nodiscard]] std::uint64_t address(const FieldAccess& field) const {
@@ -117,10 +108,8 @@ inline constexpr std::uint64_t searched_queries = 2000;
 /// distance, or are scattered scalar by scalar.
 [[nodiscard]] std::optional<FieldGroups> groups_of(const FieldMap& map);
 
-// Groups of fields as text: JSON for files, {"groups": [["tail_plane", "head_plane"], ["direction"]]}, and
-// one line for people and for the store, "tail_plane,head_plane|direction".
+// Groups of fields as JSON for files: {"groups": [["tail_plane", "head_plane"], ["direction"]]}.
 
-[[nodiscard]] std::string groups_text(const FieldGroups& groups, std::span<const RecordField> fields);
 [[nodiscard]] nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields);
 
 /// Reads a file in the format of groups_json, with every field once and one kind of record per group.

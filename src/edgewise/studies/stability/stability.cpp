@@ -326,23 +326,16 @@ std::size_t stability_rows(const StabilityPlan& plan) {
     return subjects_of(plan).size() * chosen_families(plan).size();
 }
 
-StabilitySummary run_stability(const StabilityPlan& plan,
-                               const std::function<void(const store::StoredCell&)>& on_row,
-                               const std::atomic<bool>& stop) {
-    StabilitySummary summary;
+bool run_stability(const StabilityPlan& plan, const std::function<void(const store::StoredCell&)>& on_row,
+                   const std::atomic<bool>& stop) {
     for (const scene::HardFamily* family : chosen_families(plan)) {
         SharedCases cases;
         for (const Subject& subject : subjects_of(plan)) {
-            summary.stopped = stop;
-            if (summary.stopped) return summary;
-            const store::StoredCell row = measured_row(plan, *family, subject, cases);
-            ++summary.rows;
-            summary.failed += row.failed();
-            summary.unavailable += row.status == store::CellStatus::unavailable;
-            on_row(row);
+            if (stop) return false;
+            on_row(measured_row(plan, *family, subject, cases));
         }
     }
-    return summary;
+    return true;
 }
 
 }  // namespace edgewise::studies

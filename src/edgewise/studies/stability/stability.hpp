@@ -157,24 +157,20 @@ struct StabilityPlan {
     std::function<std::optional<store::StoredCell>(const std::string& hash)> stored = {};
 };
 
-struct StabilitySummary {
-    std::size_t rows = 0, failed = 0, unavailable = 0;
-    bool stopped = false;  ///< the run ended before its last row
-};
-
-/// Throws std::invalid_argument that lists the known names when a family is unknown. `on_row` is called with
-/// each row as soon as it is there.
-StabilitySummary run_stability(const StabilityPlan& plan,
-                               const std::function<void(const store::StoredCell&)>& on_row,
-                               const std::atomic<bool>& stop);
+/// Returns false if it was stopped before its last row. `on_row` is called with each row as soon as it is
+/// there. Throws std::invalid_argument that lists the known names when a family is unknown.
+[[nodiscard]] bool run_stability(const StabilityPlan& plan,
+                                 const std::function<void(const store::StoredCell&)>& on_row,
+                                 const std::atomic<bool>& stop);
 
 /// Returns the number of rows of a plan.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
-/// Runs the plan and writes its rows into the store, with the seconds of each family.
-StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
-                                 const std::function<void(const store::StoredCell&)>& on_row,
-                                 const std::atomic<bool>& stop);
+/// Runs the plan and writes its rows into the store, with the seconds of each family. Returns as
+/// run_stability.
+[[nodiscard]] bool store_stability(const StabilityPlan& plan, store::Store& store,
+                                   const std::function<void(const store::StoredCell&)>& on_row,
+                                   const std::atomic<bool>& stop);
 
 /// Keeps only the shard's families; returns false if it has none. `seconds`: as for sweep::keep_shard.
 [[nodiscard]] bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,

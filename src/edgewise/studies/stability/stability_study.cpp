@@ -42,23 +42,20 @@ StabilityPlan stability_plan(const sweep::SweepWork& work) {
 bool run_stability_study(const sweep::SweepWork& work, store::Store& store, const sweep::OnStudyRow& on_row,
                          const std::atomic<bool>& stop) {
     StabilityPlan plan = stability_plan(work);
-    plan.stored = [&store, build = bench::this_build().id](
-                      const std::string& hash) -> std::optional<store::StoredCell> {
-        auto row = store.find_cell(build, hash);
-        if (!row) return std::nullopt;
-        return store::StoredCell{*std::move(row), store.figures(build, hash)};
+    plan.stored = [&store, build = bench::this_build().id](const std::string& hash) {
+        return store.find_cell(build, hash);
     };
     const auto notify = [&](const store::StoredCell& row) {
         on_row(row.shape + " " + row.table, row.status);
     };
-    return !store_stability(plan, store, notify, stop).stopped;
+    return store_stability(plan, store, notify, stop);
 }
 
 }  // namespace
 
-StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
-                                 const std::function<void(const store::StoredCell&)>& on_row,
-                                 const std::atomic<bool>& stop) {
+bool store_stability(const StabilityPlan& plan, store::Store& store,
+                     const std::function<void(const store::StoredCell&)>& on_row,
+                     const std::atomic<bool>& stop) {
     const store::BuildRow build = bench::this_build();
     store.put_build(build);
     store.set_meta("build", build.id);
@@ -71,13 +68,13 @@ StabilitySummary store_stability(const StabilityPlan& plan, store::Store& store,
         watch.restart();
         on_row(row);
     };
-    const StabilitySummary summary = run_stability(plan, put, stop);
+    const bool done = run_stability(plan, put, stop);
     for (const auto& [family, took] : seconds) {
-        if (!summary.stopped && took > 0.01)  // else it was there
+        if (done && took > 0.01)  // else it was there
             store.set_meta(store::took_key + sweep::unit_name(stability_run, family),
                            fmt::format("{:.3f}", took));
     }
-    return summary;
+    return done;
 }
 
 bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,

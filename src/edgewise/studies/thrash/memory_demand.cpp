@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "edgewise/measure/cache/trace.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -22,20 +23,13 @@ class UnitReuse {
 
     void use(const measure::TracedAccess& access, std::uint32_t step) {
         access.for_each_unit(unit_bytes_, [&](std::uint64_t unit) {
-            const std::uint64_t distance = reuse_.use(unit);
-            if (distance == measure::ReuseDistance::never)
-                curve_.add_first();
-            else
-                curve_.add(distance);
+            reuse_.use(unit);
             if (unit >= last_step_.size()) last_step_.resize(2 * unit + 1, 0);
-            if (last_step_[unit] != step + 1) {
-                last_step_[unit] = step + 1;
-                ++of_steps_;
-            }
+            if (std::exchange(last_step_[unit], step + 1) != step + 1) ++of_steps_;
         });
     }
     void start_counting() {
-        curve_ = {};
+        reuse_.forget_curve();
         of_steps_ = 0;
     }
 
@@ -44,16 +38,16 @@ class UnitReuse {
     /// First uses are no misses here: they are of bodies that no step was near until then, and become fewer
     /// the longer a run is.
     [[nodiscard]] std::vector<double> misses(const std::vector<std::uint64_t>& sizes, double queries) const {
+        const measure::MissCurve& curve = reuse_.curve();
         std::vector<double> found;
         for (const std::uint64_t size : sizes)
-            found.push_back(static_cast<double>(curve_.misses(size) - curve_.firsts()) / queries);
+            found.push_back(static_cast<double>(curve.misses(size) - curve.firsts()) / queries);
         return found;
     }
 
   private:
     std::uint64_t unit_bytes_;
     measure::ReuseDistance reuse_;
-    measure::MissCurve curve_;
     std::vector<std::uint32_t> last_step_;  ///< by unit: step + 1; 0: none
     std::uint64_t of_steps_ = 0;
 };

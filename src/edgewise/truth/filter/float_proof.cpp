@@ -53,15 +53,6 @@ DoubleDoubleVec turned(const Pose& pose, const Vec3d& v) {
     return result;
 }
 
-DoubleDoubleVec minus(const DoubleDoubleVec& a, const DoubleDoubleVec& b) {
-    return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
-}
-
-DoubleDouble along(const Vec3d& direction, const DoubleDoubleVec& v) {
-    return v.x() * DoubleDouble(direction.x()) + v.y() * DoubleDouble(direction.y()) +
-           v.z() * DoubleDouble(direction.z());
-}
-
 DoubleDoubleVec offset_of(const PosedPair& pair) {
     return exact_difference(pair.pose_b().translation, pair.pose_a().translation, 1);
 }
@@ -69,9 +60,10 @@ DoubleDoubleVec offset_of(const PosedPair& pair) {
 /// The highest of the candidates along the direction.
 DoubleDouble highest(std::span<const std::uint32_t> candidates, const ScannedBody& body, const Pose& pose,
                      const Vec3d& direction) {
+    const DoubleDoubleVec along = cast<DoubleDouble>(direction);
     DoubleDouble best = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t i : candidates) {
-        const DoubleDouble height = along(direction, turned(pose, body.vertex(i)));
+        const DoubleDouble height = dot(turned(pose, body.vertex(i)), along);
         if (height > best) best = height;
     }
     return best;
@@ -85,7 +77,7 @@ double wide_least_height(PosedPair& pair, const Vec3d& direction, const ScannedL
     const auto of_b = pair.b().as_high_as(scanned.height_b - 2.5 * scanned.error_b);
     const DoubleDouble least_a = -highest(of_a, pair.a(), pair.pose_a(), -direction);
     const DoubleDouble most_b = highest(of_b, pair.b(), pair.pose_b(), direction);
-    const double height = (least_a - most_b - along(direction, offset_of(pair))).value();
+    const double height = (least_a - most_b - dot(offset_of(pair), cast<DoubleDouble>(direction))).value();
     return height - u * std::abs(height) - wide_rounding * pair.span();
 }
 
@@ -99,15 +91,98 @@ double wide_length(const PosedPair& pair, const MinimumSimplex<Vec3d>& simplex,
     DoubleDouble total;
     for (int i = 0; i < simplex.size; ++i) {
         const VertexPair corner = simplex.pair[i];
-        const DoubleDoubleVec point = minus(minus(turned(pair.pose_a(), pair.a().vertex(corner.a)),
-                                                  turned(pair.pose_b(), pair.b().vertex(corner.b))),
-                                            offset);
+        const DoubleDoubleVec point = turned(pair.pose_a(), pair.a().vertex(corner.a)) -
+                                      turned(pair.pose_b(), pair.b().vertex(corner.b)) - offset;
         const DoubleDouble weight = weights[i];
-        sum = {sum.x() + weight * point.x(), sum.y() + weight * point.y(), sum.z() + weight * point.z()};
+        sum += weight * point;
         total += weight;
     }
     const Vec3d mean = Vec3d(sum.x().value(), sum.y().value(), sum.z().value()) / total.value();
     return norm(mean) * (1 + 16 * u) + wide_rounding * pair.span();
+}
+
+/// Proves the distance without the searches for bodies in contact; those searches call it themselves.
+FloatProof search_distance(PosedPair& pair, double width);
+
+/// A point to either side of a triangle around the origin: the line between the two leaves the origin in one
+/// of the tetrahedra that it makes with the triangle's sides.
+bool encloses_beside_triangle(PosedPair& pair, const std::array<Vec3d, 4>& p) {
+    const Vec3d normal = cross(Vec3d(p[1] - p[0]), Vec3d(p[2] - p[0]));
+    const double length = norm(normal);
+    if (!(length > 0)) return false;
+    const Vec3d below = pair.lowest(normal / length).point, above = pair.lowest(normal / -length).point;
+    const double error = pair.point_error();
+    return surely_encloses_origin({p[0], p[1], below, above}, error) ||
+           surely_encloses_origin({p[1], p[2], below, above}, error) ||
+           surely_encloses_origin({p[2], p[0], below, above}, error);
+}
+
+/// Three points around a segment through the origin, and either of its ends.
+bool encloses_around_segment(PosedPair& pair, const std::array<Vec3d, 4>& p) {
+    const Vec3d along = p[1] - p[0];
+    const double length = norm(along);
+    if (!(length > 0)) return false;
+    const Vec3d axis = along / length;
+    const Vec3d side = cross(axis, std::abs(axis.x()) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0));
+    const Vec3d other = cross(axis, side);
+    const Vec3d first = pair.lowest(side).point, second = pair.lowest(other - 0.5 * side).point,
+                third = pair.lowest(-other - 0.5 * side).point;
+    const double error = pair.point_error();
+    return surely_encloses_origin({p[0], first, second, third}, error) ||
+           surely_encloses_origin({p[1], first, second, third}, error);
+}
+
+/// Returns true if the origin is surely inside A - B, after a search ended with a simplex of up to three
+/// points that holds it, or nearly. It may be on a face of every tetrahedron that the search meets, as in
+/// symmetric bodies of one centre. Looks for points of A - B on all sides of the simplex.
+bool encloses_with_more(PosedPair& pair, const MinimumSimplex<Vec3d>& simplex) {
+    if (simplex.size == 3) return encloses_beside_triangle(pair, simplex.point);
+    if (simplex.size == 2) return encloses_around_segment(pair, simplex.point);
+    return false;
+}
+
+// Two more proofs of contact, for pairs where every tetrahedron has the origin on a face.
+
+/// Relative to the smaller extent: enough to distinguish directions, and the nearest features stay.
+constexpr double nudge = 1.0 / 64;
+
+/// Relative to the smaller extent: no symmetry of a body has such a point in a plane of its vertices.
+const Vec3d off_centre(0.0137, -0.0213, 0.0091);
+
+double smaller_extent(const PosedPair& pair) { return std::min(pair.a().extent(), pair.b().extent()); }
+
+Vec3d centre_in_world(const ScannedBody& body, const Pose& pose) { return pose.apply(body.centre()); }
+
+/// Strictly inside a tetrahedron of the body's vertices.
+bool is_surely_inside(ScannedBody& body, const Pose& pose, const Vec3d& point) {
+    static const std::vector<Vec3d> origin = {Vec3d::Zero()};
+    ScannedBody scanned(origin);
+    const Pose there{Mat3d::Identity(), point};
+    PosedPair pair(body, pose, scanned, there);
+    return search_distance(pair, 0).verdict == FloatVerdict::overlapping;
+}
+
+/// About a - b between closest points when B is moved away from A by a little: the direction along which the
+/// bodies touch, if they do. Zero if that was not enough.
+Vec3d nudged_separation(PosedPair& pair) {
+    const Vec3d apart = centre_in_world(pair.b(), pair.pose_b()) - centre_in_world(pair.a(), pair.pose_a());
+    const double length = norm(apart);
+    const Vec3d away = length > 0 ? Vec3d(apart / length) : Vec3d(Vec3d::UnitX());
+    Pose moved = pair.pose_b();
+    moved.translation += away * (nudge * smaller_extent(pair));
+    PosedPair nudged(pair.a(), pair.pose_a(), pair.b(), moved);
+    const FloatProof found = search_distance(nudged, Tolerance<double>::eps * pair.span());
+    return found.lower > 0 ? found.separation : Vec3d(Vec3d::Zero());
+}
+
+/// Returns true if some point is surely inside both: strictly inside a tetrahedron of vertices of each.
+/// Points about halfway between the centres are tried. Then no plane separates the bodies, not even weakly.
+bool share_a_point(PosedPair& pair) {
+    const Vec3d halfway =
+        (centre_in_world(pair.a(), pair.pose_a()) + centre_in_world(pair.b(), pair.pose_b())) / 2;
+    const Vec3d point = halfway + off_centre * smaller_extent(pair);
+    return is_surely_inside(pair.a(), pair.pose_a(), point) &&
+           is_surely_inside(pair.b(), pair.pose_b(), point);
 }
 
 class ProofSearch {
@@ -237,11 +312,7 @@ class ProofSearch {
     }
 
     [[nodiscard]] FloatProof overlap() const {
-        FloatProof proof;
-        proof.verdict = FloatVerdict::overlapping;
-        proof.upper = 0;
-        proof.is_wide = result_.is_wide;
-        return proof;
+        return {.verdict = FloatVerdict::overlapping, .upper = 0, .is_wide = result_.is_wide};
     }
 
     PosedPair& pair_;
@@ -254,16 +325,16 @@ class ProofSearch {
     bool overlaps_ = false;
 };
 
+FloatProof search_distance(PosedPair& pair, double width) {
+    if (!pair.is_usable()) return {};
+    return ProofSearch(pair, width, false).run(Vec3d::Zero());
+}
+
 }  // namespace
 
 FloatProof prove_distance(PosedPair& pair, const Vec3d& guess, double width) {
     if (!pair.is_usable()) return {};
     return ProofSearch(pair, width).run(guess);
-}
-
-FloatProof search_distance(PosedPair& pair, double width) {
-    if (!pair.is_usable()) return {};
-    return ProofSearch(pair, width, false).run(Vec3d::Zero());
 }
 
 FloatProof prove_distance(ScannedBody& a, const Pose& pose_a, ScannedBody& b, const Pose& pose_b,
@@ -288,88 +359,6 @@ bool surely_encloses_origin(const std::array<Vec3d, 4>& p, double error) {
     const bool all_above = std::ranges::all_of(volume, [&](double v) { return v > certain; });
     const bool all_below = std::ranges::all_of(volume, [&](double v) { return v < -certain; });
     return all_above || all_below;
-}
-
-namespace {
-
-/// A point to either side of a triangle around the origin: the line between the two leaves the origin in one
-/// of the tetrahedra that it makes with the triangle's sides.
-bool encloses_beside_triangle(PosedPair& pair, const std::array<Vec3d, 4>& p) {
-    const Vec3d normal = cross(Vec3d(p[1] - p[0]), Vec3d(p[2] - p[0]));
-    const double length = norm(normal);
-    if (!(length > 0)) return false;
-    const Vec3d below = pair.lowest(normal / length).point, above = pair.lowest(normal / -length).point;
-    const double error = pair.point_error();
-    return surely_encloses_origin({p[0], p[1], below, above}, error) ||
-           surely_encloses_origin({p[1], p[2], below, above}, error) ||
-           surely_encloses_origin({p[2], p[0], below, above}, error);
-}
-
-/// Three points around a segment through the origin, and either of its ends.
-bool encloses_around_segment(PosedPair& pair, const std::array<Vec3d, 4>& p) {
-    const Vec3d along = p[1] - p[0];
-    const double length = norm(along);
-    if (!(length > 0)) return false;
-    const Vec3d axis = along / length;
-    const Vec3d side = cross(axis, std::abs(axis.x()) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0));
-    const Vec3d other = cross(axis, side);
-    const Vec3d first = pair.lowest(side).point, second = pair.lowest(other - 0.5 * side).point,
-                third = pair.lowest(-other - 0.5 * side).point;
-    const double error = pair.point_error();
-    return surely_encloses_origin({p[0], first, second, third}, error) ||
-           surely_encloses_origin({p[1], first, second, third}, error);
-}
-
-}  // namespace
-
-bool encloses_with_more(PosedPair& pair, const MinimumSimplex<Vec3d>& simplex) {
-    if (simplex.size == 3) return encloses_beside_triangle(pair, simplex.point);
-    if (simplex.size == 2) return encloses_around_segment(pair, simplex.point);
-    return false;
-}
-
-// Two more proofs of contact, for pairs where every tetrahedron has the origin on a face.
-
-namespace {
-
-/// Relative to the smaller extent: enough to distinguish directions, and the nearest features stay.
-constexpr double nudge = 1.0 / 64;
-
-/// Relative to the smaller extent: no symmetry of a body has such a point in a plane of its vertices.
-const Vec3d off_centre(0.0137, -0.0213, 0.0091);
-
-double smaller_extent(const PosedPair& pair) { return std::min(pair.a().extent(), pair.b().extent()); }
-
-Vec3d centre_in_world(const ScannedBody& body, const Pose& pose) { return pose.apply(body.centre()); }
-
-/// Strictly inside a tetrahedron of the body's vertices.
-bool is_surely_inside(ScannedBody& body, const Pose& pose, const Vec3d& point) {
-    static const std::vector<Vec3d> origin = {Vec3d::Zero()};
-    ScannedBody scanned(origin);
-    const Pose there{Mat3d::Identity(), point};
-    PosedPair pair(body, pose, scanned, there);
-    return search_distance(pair, 0).verdict == FloatVerdict::overlapping;
-}
-
-}  // namespace
-
-Vec3d nudged_separation(PosedPair& pair) {
-    const Vec3d apart = centre_in_world(pair.b(), pair.pose_b()) - centre_in_world(pair.a(), pair.pose_a());
-    const double length = norm(apart);
-    const Vec3d away = length > 0 ? Vec3d(apart / length) : Vec3d(Vec3d::UnitX());
-    Pose moved = pair.pose_b();
-    moved.translation += away * (nudge * smaller_extent(pair));
-    PosedPair nudged(pair.a(), pair.pose_a(), pair.b(), moved);
-    const FloatProof found = search_distance(nudged, Tolerance<double>::eps * pair.span());
-    return found.lower > 0 ? found.separation : Vec3d(Vec3d::Zero());
-}
-
-bool share_a_point(PosedPair& pair) {
-    const Vec3d halfway =
-        (centre_in_world(pair.a(), pair.pose_a()) + centre_in_world(pair.b(), pair.pose_b())) / 2;
-    const Vec3d point = halfway + off_centre * smaller_extent(pair);
-    return is_surely_inside(pair.a(), pair.pose_a(), point) &&
-           is_surely_inside(pair.b(), pair.pose_b(), point);
 }
 
 }  // namespace edgewise::truth
