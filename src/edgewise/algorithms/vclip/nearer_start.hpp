@@ -93,7 +93,11 @@ template <BoxFeatureTable TableA, BoxFeatureTable TableB>
     const double size =
         std::max({max_abs(a_from_b.translation), double{a.table.reach()}, double{b.table.reach()}});
     const Start found = points.approach(double{Tolerance<ComputeOf<TableA>>::contact_noise} * size);
-    if (found == Start::overlaps) return found;
+    if (found == Start::overlaps) {  // the next query starts cold: it looks for such a point first
+        a.move_to_vertex(a.table.first_vertex());
+        b.move_to_vertex(b.table.first_vertex());
+        return found;
+    }
     const bool is_feature = found == Start::nearer;
     const auto feature_a = feature_along<TableA>(points.vertex_of_a(), is_feature ? points.free_in_a() : 0);
     const auto feature_b = feature_along<TableB>(points.vertex_of_b(), is_feature ? points.free_in_b() : 0);
