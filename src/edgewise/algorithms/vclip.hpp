@@ -139,7 +139,7 @@ template <class TableA, class TableB>
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
                             [[maybe_unused]] bool& moved_far) {
-    [[maybe_unused]] Outlook known = hardened ? start_nearer_if_far(a, b, moved_far) : Outlook{};
+    [[maybe_unused]] const int far_off = hardened ? start_nearer_if_far(a, b, moved_far) : 0;
     CycleGuard guard(a.feature, b.feature);
     int steps = 1, escapes = 0;
     const auto ended = [&](Distance result, bool cycle) {
@@ -150,18 +150,15 @@ template <class TableA, class TableB, class Observer>
     };
     for (;; ++steps) {
         if constexpr (may_start_nearer<TableA, TableB>) {
-            if (steps == known.far_off) {
-                const Start start = start_nearer_on_the_way(a, b);
-                moved_far = start == Start::nearer;
-                known.overlaps = start == Start::overlaps;
+            if (steps == far_off) {
+                moved_far = start_nearer_on_the_way(a, b);
                 guard = CycleGuard(a.feature, b.feature);
             }
         }
         observer.visit(a.feature.kind(), b.feature.kind());
-        if (are_boxes<TableA, TableB> && known.overlaps) return ended({.status = Status::overlapping}, false);
         if (hardened) {
-            if (const auto closest = proven_at(steps, a, b))
-                return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);
+            if (const auto known = proven_at(steps, a, b))
+                return ended(believed(separated_by(*known), a, b, observer, End::proven), false);
         }
         const Step last = step(a, b);
         escapes += last == Step::escaped;
