@@ -126,6 +126,11 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
 
     [[nodiscard]] static Vertex tail(Edge e) { return e & 7; }
     [[nodiscard]] static Vertex head(Edge e) { return tail(e) | e >> 3; }
+    /// The start of V-Clip on boxes (vclip/box_start.hpp) asks for these.
+    [[nodiscard]] static Edge edge_along(Vertex v, Index axis) { return edge_at(v, axis).edge; }
+    [[nodiscard]] static Face face_across(Vertex v, Index axis) {
+        return (v & axis) != 0 ? 3 + (axis >> 1) : 2 - (axis >> 1);
+    }
     [[nodiscard]] static Face left(Edge e) { return face_beside(e, Side::left); }
     [[nodiscard]] static Face right(Edge e) { return face_beside(e, Side::right); }
     [[nodiscard]] static Vec3<Compute> direction(Edge e) { return along(e >> 3, true); }
@@ -219,8 +224,7 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
         return (side == Side::left) == alike ? after : before;
     }
     [[nodiscard]] static Face face_beside(Edge e, Side side) {
-        const Index axis = axis_beside(e, side);
-        return (e & axis) != 0 ? 3 + (axis >> 1) : 2 - (axis >> 1);
+        return face_across(tail(e), axis_beside(e, side));
     }
     [[nodiscard]] static Index coordinate(Index axis) { return 2 - (axis >> 1); }
     /// The number, or its negative if `bits` is odd, without a branch.

@@ -146,10 +146,14 @@ edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return std:
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, moved_far};]] [[pair = {a, b, end};]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(far_moves_never_over algorithms/vclip/nearer_start.hpp [[moved_far = start_nearer(a, b) && !is_cold;]] [[moved_far = start_nearer(a, b) || !is_cold;]]
+edgewise_mutant(far_moves_never_over algorithms/vclip/nearer_start.hpp [[moved_far = start == Start::nearer && !is_cold;]] [[moved_far = start == Start::nearer || !is_cold;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[const bool is_cold = start_is_cold(a, b);]] [[const bool is_cold = false;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(box_points_stay algorithms/vclip/box_start.hpp [[            move();]] [[            if (round > 0) move();]]
+    BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
+edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
+    BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
 edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]
     NearlyParallelEdges.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]

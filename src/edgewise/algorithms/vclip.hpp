@@ -15,6 +15,7 @@
 // departures.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -139,10 +140,12 @@ template <class TableA, class TableB>
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
                             [[maybe_unused]] bool& moved_far) {
-    [[maybe_unused]] const int far_off = hardened ? start_nearer_if_far(a, b, moved_far) : 0;
+    [[maybe_unused]] Outlook known = hardened ? start_nearer_if_far(a, b, moved_far) : Outlook{};
     CycleGuard guard(a.feature, b.feature);
     int steps = 1, escapes = 0;
     const auto ended = [&](Distance result, bool cycle) {
+        // Only a start at the closest features is worth a search next time: a body at rest keeps its own.
+        if constexpr (are_boxes<TableA, TableB>) moved_far &= steps == std::max(known.far_off, 1);
         result.steps = steps;
         result.cycles = cycle;
         result.escapes = escapes;
@@ -150,15 +153,18 @@ template <class TableA, class TableB, class Observer>
     };
     for (;; ++steps) {
         if constexpr (may_start_nearer<TableA, TableB>) {
-            if (steps == far_off) {
-                moved_far = start_nearer_on_the_way(a, b);
+            if (steps == known.far_off) {
+                const Start start = start_nearer_on_the_way(a, b);
+                moved_far = start == Start::nearer;
+                known.overlaps = start == Start::overlaps;
                 guard = CycleGuard(a.feature, b.feature);
             }
         }
         observer.visit(a.feature.kind(), b.feature.kind());
+        if (are_boxes<TableA, TableB> && known.overlaps) return ended({.status = Status::overlapping}, false);
         if (hardened) {
-            if (const auto known = proven_at(steps, a, b))
-                return ended(believed(separated_by(*known), a, b, observer, End::proven), false);
+            if (const auto closest = proven_at(steps, a, b))
+                return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);
         }
         const Step last = step(a, b);
         escapes += last == Step::escaped;

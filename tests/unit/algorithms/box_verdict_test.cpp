@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The verdict on boxes by separating axes against exact distances: at gaps and depths from 1e-14 of the size
+// Boxes against exact distances. The verdict by separating axes: at gaps and depths from 1e-14 of the size
 // on, turned at random, hardly or not at all, and with edges that cross at angles as small as their gap,
-// which only the direction across them separates.
+// which only the direction across them separates. V-Clip from its start on boxes: how often that is the end.
 #include "edgewise/algorithms/box_verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "edgewise/algorithms/gjk.hpp"
+#include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/layouts/box.hpp"
 #include "edgewise/scene/motion.hpp"
@@ -151,6 +152,45 @@ TEST(BoxVerdict, LeavesToleratedGapsToTheDistance) {
     EXPECT_GE(asked, touching);
     EXPECT_GT(touching, 300);
     EXPECT_GT(beyond, 300);
+}
+
+struct Starts {
+    int separated = 0, at_once = 0, overlapping = 0, by_a_point = 0, wrong = 0;
+    double worst = 0;  ///< error over the larger of offset and size
+};
+
+void add_cold(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& pose, Starts& starts) {
+    const Box a(body_a, Parts::features), b(body_b, Parts::features);
+    FeaturePair<Box, Box> pair(a, b);
+    const Distance answer = VClip::query(a, b, {pose.rotation, pose.translation}, pair);
+    const auto exact = truth::exact_distance(body_a.vertices, Pose{}, body_b.vertices, pose).or_throw();
+    if ((answer.status == Status::separated) != (exact.verdict == truth::ExactVerdict::separated)) {
+        ++starts.wrong;
+    } else if (answer.status == Status::separated) {
+        ++starts.separated;
+        starts.at_once += answer.steps == 1;
+        const double size = std::max({1.0, norm(pose.translation)});
+        starts.worst = std::max(starts.worst, std::abs(answer.distance - exact.distance) / size);
+    } else {
+        ++starts.overlapping;
+        starts.by_a_point += answer.steps == 1;
+    }
+}
+
+TEST(BoxStart, IsTheEndOfMostQueries) {
+    scene::Rng rng(9);
+    Starts starts;
+    for (int i = 0; i < 6000; ++i) {
+        const Polyhedron body_a = box_with(half_extents(rng)), body_b = box_with(half_extents(rng));
+        add_cold(body_a, body_b, {rng.rotation(), rng.on_sphere() * rng.uniform(0, 3)}, starts);
+    }
+    std::printf(
+        "boxes: %d separated, %d at once; %d overlapping, %d by a point of both; %d wrong, worst %.3g\n",
+        starts.separated, starts.at_once, starts.overlapping, starts.by_a_point, starts.wrong, starts.worst);
+    EXPECT_EQ(starts.wrong, 0);
+    EXPECT_LT(starts.worst, 1e-15);
+    EXPECT_GT(starts.at_once, 0.7 * starts.separated);
+    EXPECT_GT(starts.by_a_point, 0.3 * starts.overlapping);
 }
 
 }  // namespace

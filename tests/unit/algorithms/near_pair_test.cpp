@@ -152,7 +152,7 @@ TEST(NearPair, TellsWhereItsCarriedBoundsDo) {
         const auto told = bounds.nearer_than(distance, to);
         const bool should_tell = distance <= now.least || distance > now.most;
         if (told.has_value() != should_tell) worst = std::max(worst, std::abs(distance - end));
-        if (told) EXPECT_EQ(*told, distance > most) << i;
+        EXPECT_EQ(told.value_or(distance > most), distance > most) << i;
         ++(!told ? not_told : *told ? told_near : told_far);
     }
     std::printf("bounds gave %d near, %d far, %d undecided; off by %.2g at most\n", told_near, told_far,

@@ -172,7 +172,9 @@ TEST_P(NearQuestion, WithinItsMarginGivesTheDistance) {
                 const double margin = runner->margin(subject.workload().queries[i]);
                 const bool is_beyond =
                     answers[i].status == Status::separated && answers[i].distance >= margin;
-                if (std::abs(truth[i] - margin) > doubt) ASSERT_EQ(is_beyond, truth[i] > margin) << i;
+                if (std::abs(truth[i] - margin) > doubt) {
+                    ASSERT_EQ(is_beyond, truth[i] > margin) << i;
+                }
                 if (!is_beyond) worst = std::max(worst, std::abs(answers[i].distance - truth[i]) / size);
                 ++(is_beyond ? beyond : near);
                 told += answers[i].steps == 0;
