@@ -152,6 +152,10 @@ edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[const bo
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_points_stay algorithms/vclip/box_start.hpp [[            move();]] [[            if (round > 0) move();]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
+edgewise_mutant(box_start_leaves_the_end algorithms/vclip/nearer_start.hpp [[!(points.squared_distance() < squared_norm]] [[!(0 < squared_norm]]
+    BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
+edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[moved_far &= steps == std::max(known.far_off, 1);]] [[]]
+    NearerStart.OfBoxes* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
 edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]

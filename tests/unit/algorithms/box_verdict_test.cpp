@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -156,7 +157,8 @@ TEST(BoxVerdict, LeavesToleratedGapsToTheDistance) {
 
 struct Starts {
     int separated = 0, at_once = 0, overlapping = 0, by_a_point = 0, wrong = 0;
-    double worst = 0;  ///< error over the larger of offset and size
+    int steps_again = 0;  ///< of the same queries, asked a second time
+    double worst = 0;     ///< error over the larger of offset and size
 };
 
 void add_cold(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& pose, Starts& starts) {
@@ -175,22 +177,43 @@ void add_cold(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& po
         ++starts.overlapping;
         starts.by_a_point += answer.steps == 1;
     }
+    starts.steps_again += VClip::query(a, b, {pose.rotation, pose.translation}, pair).steps;
 }
 
-TEST(BoxStart, IsTheEndOfMostQueries) {
+template <class NextRotation, class NextOffset>
+Starts ask_cold(const NextRotation& rotation, const NextOffset& offset) {
     scene::Rng rng(9);
     Starts starts;
     for (int i = 0; i < 6000; ++i) {
         const Polyhedron body_a = box_with(half_extents(rng)), body_b = box_with(half_extents(rng));
-        add_cold(body_a, body_b, {rng.rotation(), rng.on_sphere() * rng.uniform(0, 3)}, starts);
+        add_cold(body_a, body_b, {rotation(rng), offset(rng)}, starts);
     }
     std::printf(
         "boxes: %d separated, %d at once; %d overlapping, %d by a point of both; %d wrong, worst %.3g\n",
         starts.separated, starts.at_once, starts.overlapping, starts.by_a_point, starts.wrong, starts.worst);
     EXPECT_EQ(starts.wrong, 0);
     EXPECT_LT(starts.worst, 1e-15);
+    EXPECT_EQ(starts.steps_again, starts.separated + starts.overlapping);
+    return starts;
+}
+
+TEST(BoxStart, IsTheEndOfMostQueries) {
+    const Starts starts =
+        ask_cold([](scene::Rng& rng) { return rng.rotation(); },
+                 [](scene::Rng& rng) -> Vec3d { return rng.on_sphere() * rng.uniform(0, 3); });
     EXPECT_GT(starts.at_once, 0.7 * starts.separated);
     EXPECT_GT(starts.by_a_point, 0.3 * starts.overlapping);
+}
+
+/// A walk may end at the first vertices of both boxes, where a cold one starts.
+TEST(BoxStart, LeavesNoEnd) {
+    const Starts starts = ask_cold(
+        [](scene::Rng& rng) -> Mat3d {
+            return Eigen::AngleAxis(rng.uniform(0, 0.5), rng.on_sphere()).toRotationMatrix() *
+                   Vec3d(-1, -1, 1).asDiagonal();
+        },
+        [](scene::Rng& rng) -> Vec3d { return -Vec3d(1, 1, 1) - rng.on_sphere(); });
+    EXPECT_GT(starts.separated, 2000);
 }
 
 }  // namespace
