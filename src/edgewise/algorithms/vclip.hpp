@@ -144,7 +144,7 @@ template <class TableA, class TableB, class Observer>
     CycleGuard guard(a.feature, b.feature);
     int steps = 1, escapes = 0;
     const auto ended = [&](Distance result, bool cycle) {
-        // Only a start at the closest features is worth a search next time: a body at rest keeps its own.
+        // Search again only after a start that was the end: else a pair at rest would leave its features.
         if constexpr (are_boxes<TableA, TableB>) moved_far &= steps == std::max(known.far_off, 1);
         result.steps = steps;
         result.cycles = cycle;
