@@ -70,15 +70,14 @@ concept ShareableTable = SupportTable<Table> && !queries_write<Table>;
 /// Runs query_batch in all threads of the arena. For callers with many batches: they keep the arena.
 template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
-                          const QueryOptions& options, tbb::task_arena& arena,
-                          LaneWidth width = best_lanes()) {
+                          const QueryOptions& options, tbb::task_arena& arena, bool in_lanes = has_lanes()) {
     assert(queries.size() == answers.size());
     using Range = tbb::blocked_range<std::size_t>;
     BatchOrder order;
     const auto ask = [&](const Range& part) {
         order.part_starts();
         query_batch<TableA, TableB, Algorithm>(queries.subspan(part.begin(), part.size()),
-                                               answers.subspan(part.begin(), part.size()), options, width);
+                                               answers.subspan(part.begin(), part.size()), options, in_lanes);
         order.part_ends();
     };
     order.before();
@@ -93,10 +92,10 @@ void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::s
 /// no more of them than the machine has cores (unless tbb::global_control differs). Returns when all is done.
 template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
-                          const QueryOptions& options, int threads, LaneWidth width = best_lanes()) {
+                          const QueryOptions& options, int threads, bool in_lanes = has_lanes()) {
     assert(threads >= 1);
     tbb::task_arena arena(threads);
-    query_batch_parallel<TableA, TableB, Algorithm>(queries, answers, options, arena, width);
+    query_batch_parallel<TableA, TableB, Algorithm>(queries, answers, options, arena, in_lanes);
 }
 
 }  // namespace edgewise

@@ -82,8 +82,8 @@ class GjkBatch final : public SearchSource {
         return options.sub_distance == SubDistanceSolver::cofactors && std::isinf(options.cutoff);
     }
 
-    /// `width`: a width other than none.
-    void run(LaneWidth width) { run_lane_searches(*this, width); }
+    /// Answers all queries, on a processor that has_lanes().
+    void run() { run_lane_searches(*this); }
 
     [[nodiscard]] bool next(int lane, SingleSearch& search) override {
         for (; next_ < queries_.size(); ++next_) {
@@ -138,15 +138,14 @@ class GjkBatch final : public SearchSource {
 };
 
 /// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in threads of their own: they share
-/// only tables, which are read (parallel_batch.hpp). V-Clip has no lanes, and ignores the width.
+/// only tables, which are read (parallel_batch.hpp). V-Clip has no lanes.
 template <SupportTable TableA, SupportTable TableB, class Algorithm = Gjk>
 void query_batch(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
-                 const QueryOptions& options = {}, LaneWidth width = best_lanes()) {
+                 const QueryOptions& options = {}, bool in_lanes = has_lanes()) {
     assert(queries.size() == answers.size());
     if constexpr (std::is_same_v<Algorithm, Gjk> && NumberedTable<TableA> && NumberedTable<TableB>) {
         using Batch = GjkBatch<TableA, TableB>;
-        if (width != LaneWidth::none && Batch::fit_lanes(options))
-            return Batch(queries, answers, options).run(width);
+        if (in_lanes && Batch::fit_lanes(options)) return Batch(queries, answers, options).run();
     }
     ask_in_order(queries, answers, options);
 }

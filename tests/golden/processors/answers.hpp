@@ -160,7 +160,7 @@ template <class Table>
         queries.push_back({&tables[query.body_a], &tables[query.body_b],
                            relative_pose(query.pose_a, query.pose_b), &pairs[queries.size()]});
     std::vector<Distance> answers(queries.size());
-    query_batch<Table, Table>(queries, answers, {}, LaneWidth::bits_128);
+    query_batch<Table, Table>(queries, answers);
     return answers;
 }
 

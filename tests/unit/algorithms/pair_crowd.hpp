@@ -57,11 +57,4 @@ inline bool same_bits(const Distance& a, const Distance& b) {
            same(a.point_a, b.point_a) && same(a.point_b, b.point_b) && same(a.normal, b.normal);
 }
 
-/// Returns the lane widths that this processor has.
-inline std::vector<LaneWidth> lane_widths() {
-    std::vector<LaneWidth> result = {LaneWidth::bits_128};
-    if (best_lanes() != LaneWidth::none) result.push_back(best_lanes());
-    return result;
-}
-
 }  // namespace edgewise

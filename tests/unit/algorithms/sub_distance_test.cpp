@@ -135,7 +135,7 @@ std::vector<Distance> answers_of(std::vector<PairQuery<Table, Table>> queries, S
         if (!batch)
             answers[i] = Gjk::query(*queries[i].a, *queries[i].b, queries[i].a_from_b, pairs[i], options);
     }
-    if (batch) query_batch<Table, Table>(queries, answers, options, LaneWidth::bits_128);
+    if (batch) query_batch<Table, Table>(queries, answers, options);
     return answers;
 }
 

@@ -5,6 +5,7 @@
 // Every result is that of a single search.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -24,7 +25,7 @@ inline constexpr float search_gap = 0x1.4p-21F, clear_gaps = 16;
 /// Takes B's vertices to A's frame, a row of `size` at a time.
 template <int size>
 [[gnu::always_inline]] inline void move_to_a(const SingleSearch& of, SingleVertices& to) {
-    using Row = Numbers<float, size>;
+    using Row = Numbers<size>;
     const auto row = [](auto& numbers, std::size_t i) __attribute__((always_inline))->Row& {
         return *reinterpret_cast<Row*>(const_cast<float*>(&numbers[i]));
     };
@@ -41,32 +42,30 @@ template <int size>
 
 /// The vertices of one body per lane. A lane with fewer vertices than another repeats its first vertex: a
 /// repeated vertex never comes first of equals.
-template <int n>
 class LaneBodies {
   public:
-    using Vector = LaneVec<float, n>;
-
     struct Farthest {
-        Masks<float, n> vertex;
-        Vector point;
+        EightWords vertex;
+        LaneVec point;
     };
 
     void write(int lane, const SingleVertices& from) {
         const int count = static_cast<int>(from.count);
         for (; used_ < count; ++used_) vertices_[used_] = vertices_[0];
-        for (int i = 0; i < used_; ++i) {
-            const auto k = static_cast<std::size_t>(i < count ? i : 0);
+        for (int i = 0; i < count; ++i) {
+            const auto k = static_cast<std::size_t>(i);
             vertices_[i].set(lane, from.x[k], from.y[k], from.z[k]);
         }
+        for (int i = count; i < used_; ++i) vertices_[i].set(lane, from.x[0], from.y[0], from.z[0]);
     }
 
     /// The first of the vertices farthest along each lane's direction.
-    [[nodiscard, gnu::always_inline]] Farthest farthest(const Vector& direction) const {
-        Numbers<float, n> most = dot(vertices_[0], direction);
-        Masks<float, n> vertex{}, place{};
+    [[nodiscard, gnu::always_inline]] Farthest farthest(const LaneVec& direction) const {
+        Eight most = dot(vertices_[0], direction);
+        EightWords vertex{}, place{};
         for (int i = 1; i < used_; ++i) {
-            const Numbers<float, n> along = dot(vertices_[i], direction);
-            const Masks<float, n> higher = along > most;
+            const Eight along = dot(vertices_[i], direction);
+            const EightWords higher = along > most;
             place = place + 1;
             most = higher ? along : most;
             vertex = higher ? place : vertex;
@@ -76,68 +75,61 @@ class LaneBodies {
 
   private:
     /// Each lane's vertex of this number, read once at the end: to carry it along costs a third of a scan.
-    [[nodiscard, gnu::always_inline]] Vector at(const Masks<float, n>& vertex) const {
-        Vector point;
+    [[nodiscard, gnu::always_inline]] LaneVec at(const EightWords& vertex) const {
+        LaneVec point;
 #pragma GCC unroll 8
-        for (int lane = 0; lane < n; ++lane) {
-            const Vector& from = vertices_[static_cast<int>(vertex[lane])];
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const LaneVec& from = vertices_[static_cast<int>(vertex[lane])];
             point.set(lane, from.x[lane], from.y[lane], from.z[lane]);
         }
         return point;
     }
 
-    SmallArray<Vector, int{SingleVertices::most}> vertices_{};
+    SmallArray<LaneVec, int{SingleVertices::most}> vertices_{};
     int used_ = 1;  ///< most vertices that any lane had
 };
 
-template <int n>
 class LaneSearch {
   public:
-    using Number = Numbers<float, n>;
-    using Mask = Masks<float, n>;
-    using Vector = LaneVec<float, n>;
-
     explicit LaneSearch(SearchSource& source) : source_(source) {}
 
     /// Runs all searches of the source.
     [[gnu::always_inline]] void run() {
-        for (int lane = 0; lane < n; ++lane) load(lane);
-        while (any_lane(is_active_)) iterate();
+        for (int lane = 0; lane < lane_count; ++lane) load(lane);
+        start(EightWords{} - 1);
+        while (lane_bits(is_active_) != 0) iterate();
     }
 
   private:
     /// Adds one support point in every lane.
     [[gnu::always_inline]] void iterate() {
         const auto a = a_.farthest(-v_), b = b_.farthest(v_);
-        const Vector p = a.point - b.point;
-        const Mask pair = a.vertex << 8 | b.vertex;
-        const Mask ended = ends(p, pair);
-        const Sides<Three<Number>> sides({same(p.x), same(p.y), same(p.z)}, older(), held_);
-        const Mask surrounded =
+        const LaneVec p = a.point - b.point;
+        const EightWords pair = a.vertex << 8 | b.vertex;
+        const EightWords ended = ends(p, pair);
+        const Sides<Three<Eight>> sides({same(p.x), same(p.y), same(p.z)}, older(), held_);
+        const EightWords surrounded =
             sides.inside.of[0] & sides.inside.of[1] & sides.inside.of[2] & ~ended & ~starts_;
-        const Mask done = is_active_ & (ended | surrounded);
-        if (any_lane(done)) hand_over(done, surrounded, pair);
+        const EightWords done = is_active_ & (ended | surrounded);
+        replace(done, surrounded, pair);
         rest_on(sides, p, is_active_ & ~starts_ & ~done);
         insert(p, pair);
-        extent_ = select(starts_, max_abs(b.point), extent_);
+        extent_ = starts_ ? max_abs(b.point) : extent_;
         steps_ += 1;
-        starts_ = Mask{};
-        if (!any_lane(done)) return;
-        for (int lane = 0; lane < n; ++lane)
-            if (done[lane]) load(lane);
+        start(done);
     }
 
-    [[nodiscard, gnu::always_inline]] static Three<Number> same(const Number& of) { return {{of, of, of}}; }
-    [[nodiscard, gnu::always_inline]] OfOlder<Three<Number>> older() const {
+    [[nodiscard, gnu::always_inline]] static Three<Eight> same(const Eight& of) { return {{of, of, of}}; }
+    [[nodiscard, gnu::always_inline]] OfOlder<Three<Eight>> older() const {
         return {{{q_[0].x, q_[1].x, q_[2].x}}, {{q_[0].y, q_[1].y, q_[2].y}}, {{q_[0].z, q_[1].z, q_[2].z}}};
     }
 
     /// Mask of the lanes that have nothing left to gain.
-    [[nodiscard, gnu::always_inline]] Mask ends(const Vector& p, const Mask& pair) {
-        const Number squared = squared_norm(v_), reach = dot(v_, p) * scale_,
-                     open = search_gap * extent_ * scale_ * square_root<float, n>(squared),
-                     length = squared / (scale_ * scale_);
-        Mask ended = (squared - reach <= open) | ~(length < least_) | (steps_ > most_search_steps);
+    [[nodiscard, gnu::always_inline]] EightWords ends(const LaneVec& p, const EightWords& pair) {
+        const Eight squared = squared_norm(v_), reach = dot(v_, p) * scale_,
+                    open = search_gap * extent_ * scale_ * square_root(squared),
+                    length = squared / (scale_ * scale_);
+        EightWords ended = (squared - reach <= open) | ~(length < least_) | (steps_ > most_search_steps);
 #pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) ended |= held_.of[i] & (pairs_[i] == pair);
         least_ = starts_ ? least_ : length;
@@ -145,28 +137,30 @@ class LaneSearch {
     }
 
     /// Computes the closest points: of lanes that start, the newest point.
-    [[gnu::always_inline]] void rest_on(const Sides<Three<Number>>& sides, const Vector& p,
-                                        const Mask& goes_on) {
-        const Mask chosen = -(sides.face.of[0] + sides.face.of[1] + sides.face.of[2] + sides.edge.of[0] +
-                              sides.edge.of[1] + sides.edge.of[2]);
-        const Mask on_newest =
+    [[gnu::always_inline]] void rest_on(const Sides<Three<Eight>>& sides, const LaneVec& p,
+                                        const EightWords& goes_on) {
+        const EightWords chosen = -(sides.face.of[0] + sides.face.of[1] + sides.face.of[2] +
+                                    sides.edge.of[0] + sides.edge.of[1] + sides.edge.of[2]);
+        const EightWords on_newest =
             starts_ | ((chosen == 0) & ~(sides.ahead.of[0] | sides.ahead.of[1] | sides.ahead.of[2]));
-        const Three<Number> scales = sides.scale();
-        Three<Number> weight = sides.weight();
-        Three<Mask> members = sides.members();
+        const Three<Eight> scales = sides.scale();
+        Three<Eight> weight = sides.weight();
+        Three<EightWords> members = sides.members();
         scale_ =
-            on_newest ? Number{} + 1 : (Number)((Mask)scales.of[0] | (Mask)scales.of[1] | (Mask)scales.of[2]);
-        const Mask in_doubt = goes_on & ~on_newest & (chosen != 1);
-        if (any_lane(in_doubt)) try_all(in_doubt, p, weight, members);
+            on_newest
+                ? Eight{} + 1
+                : (Eight)((EightWords)scales.of[0] | (EightWords)scales.of[1] | (EightWords)scales.of[2]);
+        const EightWords in_doubt = goes_on & ~on_newest & (chosen != 1);
+        try_all(in_doubt, p, weight, members);
         v_ = (scale_ * p + weight.of[0] * (q_[0] - p)) +
              (weight.of[1] * (q_[1] - p) + weight.of[2] * (q_[2] - p));
-        held_ = members & Three<Mask>{{~starts_, ~starts_, ~starts_}};
+        held_ = members & Three<EightWords>{{~starts_, ~starts_, ~starts_}};
     }
 
-    [[gnu::always_inline]] void try_all(const Mask& in_doubt, const Vector& p, Three<Number>& weight,
-                                        Three<Mask>& members) {
-        for (int lane = 0; lane < n; ++lane) {
-            if (!in_doubt[lane]) continue;
+    [[gnu::always_inline]] void try_all(const EightWords& in_doubt, const LaneVec& p, Three<Eight>& weight,
+                                        Three<EightWords>& members) {
+        for (unsigned left = lane_bits(in_doubt); left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
             OfOlder<Four> older{};
             FourWords held{};
             for (int i = 0; i < 3; ++i) {
@@ -185,11 +179,11 @@ class LaneSearch {
     }
 
     /// Puts the newest point in the first free place.
-    [[gnu::always_inline]] void insert(const Vector& p, const Mask& pair) {
-        Mask taken = Mask{} - 1;
+    [[gnu::always_inline]] void insert(const LaneVec& p, const EightWords& pair) {
+        EightWords taken = EightWords{} - 1;
 #pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) {
-            const Mask here = taken & ~held_.of[i];
+            const EightWords here = taken & ~held_.of[i];
             q_[i] = select(here, p, q_[i]);
             pairs_[i] = here ? pair : pairs_[i];
             taken &= held_.of[i];
@@ -197,48 +191,54 @@ class LaneSearch {
         }
     }
 
-    [[gnu::always_inline]] void hand_over(const Mask& done, const Mask& surrounded, const Mask& pair) {
-        for (int lane = 0; lane < n; ++lane) {
-            if (!done[lane]) continue;
+    /// Hands over the searches that are done, and loads others in their lanes.
+    [[gnu::always_inline]] void replace(const EightWords& done, const EightWords& surrounded,
+                                        const EightWords& pair) {
+        for (unsigned left = lane_bits(done); left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
             SingleSearchEnd end;
             end.steps = static_cast<int>(steps_[lane]);
             for (int i = 0; i < 3; ++i) end.add(pairs_[i][lane], held_.of[i][lane] != 0);
             if (surrounded[lane]) end.add(pair[lane], true);
             source_.take(lane, end);
+            load(lane);
         }
     }
 
-    /// Loads the source's next search; without one the lane is idle.
+    /// Loads the source's next search, which start() begins; without one the lane is idle.
     void load(int lane) {
         is_active_[lane] = 0;
         if (!source_.next(lane, search_)) return;
         is_active_[lane] = -1;
         a_.write(lane, search_.a);
-        move_to_a<n>(search_, moved_);
+        move_to_a<lane_count>(search_, moved_);
         b_.write(lane, moved_);
         const Vec3<float>& towards_b = search_.towards_b;
-        v_.set(lane, -towards_b.x(), -towards_b.y(), -towards_b.z());
-        for (int i = 0; i < 3; ++i) {
-            q_[i].set(lane, 0, 0, 0);
-            held_.of[i][lane] = 0;
-        }
-        least_[lane] = std::numeric_limits<float>::infinity();
-        steps_[lane] = 1;
-        starts_[lane] = -1;
+        first_.set(lane, -towards_b.x(), -towards_b.y(), -towards_b.z());
+    }
+
+    /// Begins the searches that were loaded in these lanes.
+    [[gnu::always_inline]] void start(const EightWords& loaded) {
+        v_ = select(loaded, first_, v_);
+        held_ = held_ & ~Three<EightWords>{{loaded, loaded, loaded}};
+        least_ = loaded ? Eight{} + std::numeric_limits<float>::infinity() : least_;
+        steps_ = loaded ? EightWords{} + 1 : steps_;
+        starts_ = loaded;
     }
 
     SearchSource& source_;
     SingleSearch search_;   ///< the lane's that loads
     SingleVertices moved_;  ///< its B in A's frame
-    LaneBodies<n> a_, b_;   ///< both in A's frame
-    SmallArray<Vector, 3> q_{};
-    SmallArray<Mask, 3> pairs_{};
-    Three<Mask> held_{};
-    Vector v_{};  ///< the simplex' closest point, times scale
-    Number scale_{}, least_{}, extent_{};
-    Mask steps_{};
-    Mask starts_{};     ///< without a point so far
-    Mask is_active_{};  ///< holds a search
+    LaneBodies a_, b_;      ///< both in A's frame
+    SmallArray<LaneVec, 3> q_{};
+    SmallArray<EightWords, 3> pairs_{};
+    Three<EightWords> held_{};
+    LaneVec v_{};      ///< the simplex' closest point, times scale
+    LaneVec first_{};  ///< v of the search that was loaded last
+    Eight scale_{}, least_{}, extent_{};
+    EightWords steps_{};
+    EightWords starts_{};     ///< without a point so far
+    EightWords is_active_{};  ///< holds a search
 };
 
 }  // namespace edgewise

@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of several queries side by side: lane i of every register belongs to query i. The compiler's own
-// vector types: the same source becomes SSE, AVX or NEON. Every operation is that of the scalar code, lane by
-// lane, in the order of geometry/vec.hpp: the same bits.
+// Numbers of eight queries side by side: lane i of every register belongs to query i. The compiler's own
+// vector types. Every operation is that of the scalar code, lane by lane, in the order of geometry/vec.hpp:
+// the same bits.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 namespace edgewise {
 
 /// Registers of n numbers, and the results of comparing two of them: all bits set where true. Whole numbers
 /// per lane have the masks' type.
-template <class Scalar, int n>
-struct LaneTypes {
-    using Word = std::conditional_t<sizeof(Scalar) == 8, std::int64_t, std::int32_t>;
-    typedef Scalar Numbers __attribute__((vector_size(n * sizeof(Scalar))));
-    typedef Word Masks __attribute__((vector_size(n * sizeof(Scalar))));
-};
-template <class Scalar, int n>
-using Numbers = typename LaneTypes<Scalar, n>::Numbers;
-template <class Scalar, int n>
-using Masks = typename LaneTypes<Scalar, n>::Masks;
+template <int n>
+using Numbers [[gnu::vector_size(n * sizeof(float))]] = float;
+template <int n>
+using Masks [[gnu::vector_size(n * sizeof(float))]] = std::int32_t;
+
+inline constexpr int lane_count = 8;
+using Eight = Numbers<lane_count>;
+using EightWords = Masks<lane_count>;
 
 /// A 3D vector per lane.
-template <class Scalar, int n>
 struct LaneVec {
-    Numbers<Scalar, n> x, y, z;
+    Eight x, y, z;
 
     [[gnu::always_inline]] friend LaneVec operator-(const LaneVec& a, const LaneVec& b) {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
@@ -37,78 +33,49 @@ struct LaneVec {
         return {a.x + b.x, a.y + b.y, a.z + b.z};
     }
     [[gnu::always_inline]] friend LaneVec operator-(const LaneVec& a) { return {-a.x, -a.y, -a.z}; }
-    [[gnu::always_inline]] friend LaneVec operator*(const Numbers<Scalar, n>& s, const LaneVec& a) {
+    [[gnu::always_inline]] friend LaneVec operator*(const Eight& s, const LaneVec& a) {
         return {s * a.x, s * a.y, s * a.z};
     }
 
-    [[gnu::always_inline]] void set(int lane, Scalar at_x, Scalar at_y, Scalar at_z) {
+    [[gnu::always_inline]] void set(int lane, float at_x, float at_y, float at_z) {
         x[lane] = at_x;
         y[lane] = at_y;
         z[lane] = at_z;
     }
 };
 
-template <class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline Numbers<Scalar, n> dot(const LaneVec<Scalar, n>& a,
-                                                                   const LaneVec<Scalar, n>& b) {
+[[nodiscard, gnu::always_inline]] inline Eight dot(const LaneVec& a, const LaneVec& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+[[nodiscard, gnu::always_inline]] inline Eight squared_norm(const LaneVec& a) { return dot(a, a); }
 
-template <class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline Numbers<Scalar, n> squared_norm(const LaneVec<Scalar, n>& a) {
-    return dot(a, a);
-}
-
-template <class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline LaneVec<Scalar, n> cross(const LaneVec<Scalar, n>& a,
-                                                                     const LaneVec<Scalar, n>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// Returns a where the mask is set, else b; for numbers or whole numbers.
-template <class Mask, class Number>
-requires(sizeof(Mask) == sizeof(Number)) [[nodiscard]] [[gnu::always_inline]] inline Number
-    select(const Mask& mask, const Number& a, const Number& b) {
-    return mask ? a : b;
-}
-template <class Mask, class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline LaneVec<Scalar, n> select(const Mask& mask,
-                                                                      const LaneVec<Scalar, n>& a,
-                                                                      const LaneVec<Scalar, n>& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
-}
-
-/// The larger of two, lane by lane, as std::max chooses.
-template <class Number>
-[[nodiscard]] [[gnu::always_inline]] inline Number larger(const Number& a, const Number& b) {
-    return select(a < b, b, a);
+/// Returns a where the mask is set, else b.
+[[nodiscard, gnu::always_inline]] inline LaneVec select(const EightWords& mask, const LaneVec& a,
+                                                        const LaneVec& b) {
+    return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
 /// Largest absolute component.
-template <class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline Numbers<Scalar, n> max_abs(const LaneVec<Scalar, n>& v) {
-    const Masks<Scalar, n> rest =
-        Masks<Scalar, n>{} + std::numeric_limits<typename LaneTypes<Scalar, n>::Word>::max();
-    const auto size = [&](const Numbers<Scalar, n>& of) __attribute__((always_inline)) {
-        return (Numbers<Scalar, n>)((Masks<Scalar, n>)of & rest);
+[[nodiscard, gnu::always_inline]] inline Eight max_abs(const LaneVec& v) {
+    const auto size = [](const Eight& of) __attribute__((always_inline)) {
+        return (Eight)((EightWords)of & std::numeric_limits<std::int32_t>::max());
     };
-    return larger(larger(size(v.x), size(v.y)), size(v.z));
+    const Eight x = size(v.x), y = size(v.y), z = size(v.z), larger = x < y ? y : x;
+    return larger < z ? z : larger;
 }
 
-template <class Scalar, int n>
-[[nodiscard]] [[gnu::always_inline]] inline Numbers<Scalar, n> square_root(Numbers<Scalar, n> of) {
-    for (int i = 0; i < n; ++i) of[i] = std::sqrt(of[i]);
+[[nodiscard, gnu::always_inline]] inline Eight square_root(Eight of) {
+    for (int i = 0; i < lane_count; ++i) of[i] = std::sqrt(of[i]);
     return of;
 }
 
-/// Returns true if any lane's mask is set.
-template <class Mask>
-[[nodiscard]] [[gnu::always_inline]] inline bool any_lane(const Mask& mask) {
-    constexpr int n = sizeof(Mask) / sizeof(mask[0]);
-    std::remove_cvref_t<decltype(mask[0])> all = 0;
-#pragma GCC unroll 16
-    for (int i = 0; i < n; ++i) all |= mask[i];
-    return all != 0;
+/// The lanes' masks, a bit each: lane 0 is the lowest.
+[[nodiscard, gnu::always_inline]] inline unsigned lane_bits(const EightWords& mask) {
+    const EightWords bits = mask & EightWords{1, 2, 4, 8, 16, 32, 64, 128};
+    auto half =
+        __builtin_shufflevector(bits, bits, 0, 1, 2, 3) | __builtin_shufflevector(bits, bits, 4, 5, 6, 7);
+    half |= __builtin_shufflevector(half, half, 2, 3, 2, 3);
+    return static_cast<unsigned>(half[0] | half[1]);
 }
 
 }  // namespace edgewise

@@ -14,8 +14,8 @@
 
 namespace edgewise {
 
-using Four = Numbers<float, 4>;
-using FourWords = Masks<float, 4>;
+using Four = Numbers<4>;
+using FourWords = Masks<4>;
 
 /// Of the older point i, the value of point i + 1, and of point i - 1.
 [[nodiscard, gnu::always_inline]] inline Four next(const Four& of) {

@@ -74,8 +74,8 @@ struct SingleSimplex {
 /// Takes and scans vertices, a row of `size` at a time.
 template <int size>
 struct Rows {
-    using Row = Numbers<float, size>;
-    using Places = Masks<float, size>;
+    using Row = Numbers<size>;
+    using Places = Masks<size>;
 
     [[nodiscard, gnu::always_inline]] static Row row(const float* first) {
         return *reinterpret_cast<const Row*>(first);
@@ -161,7 +161,6 @@ template <int size>
 }
 
 void search_128(const SingleSearch& of, SingleSearchEnd& end) { search<4>(of, end); }
-void lanes_128(SearchSource& source) { LaneSearch<4>(source).run(); }
 
 #ifdef __x86_64__
 /// Two bodies of one row each: halves of a row are joined faster than a whole one.
@@ -169,10 +168,10 @@ void lanes_128(SearchSource& source) { LaneSearch<4>(source).run(); }
     if (of.a.count + of.b.count == 2 * SingleVertices::row) return search<4>(of, end);
     search<8>(of, end);
 }
-[[gnu::target("avx2")]] void lanes_256(SearchSource& source) { LaneSearch<8>(source).run(); }
+[[gnu::target("avx2")]] void search_in_lanes(SearchSource& source) { LaneSearch(source).run(); }
 #else
 void search_256(const SingleSearch& of, SingleSearchEnd& end) { search_128(of, end); }
-void lanes_256(SearchSource& source) { lanes_128(source); }
+void search_in_lanes(SearchSource& source) { LaneSearch(source).run(); }
 #endif
 
 }  // namespace
@@ -205,23 +204,24 @@ NearestOfAll try_all_sides(Four newest, OfOlder<Four> older, FourWords held) {
     return nearest;
 }
 
-LaneWidth best_lanes() {
+bool has_lanes() {
 #ifdef __x86_64__
-    if (__builtin_cpu_supports("avx2")) return LaneWidth::bits_256;
+    return __builtin_cpu_supports("avx2");
+#else
+    return false;
 #endif
-    return LaneWidth::none;
 }
 
 SingleSearchEnd run_single_search(const SingleSearch& search) {
-    static const bool is_wide = best_lanes() == LaneWidth::bits_256;
+    static const bool is_wide = has_lanes();
     SingleSearchEnd end;
     is_wide ? search_256(search, end) : search_128(search, end);
     return end;
 }
 
-void run_lane_searches(SearchSource& source, LaneWidth width) {
-    assert(width != LaneWidth::none);
-    width == LaneWidth::bits_256 ? lanes_256(source) : lanes_128(source);
+void run_lane_searches(SearchSource& source) {
+    assert(has_lanes());
+    search_in_lanes(source);
 }
 
 }  // namespace edgewise

@@ -63,11 +63,9 @@ struct SingleSearchEnd {
 
 [[nodiscard]] SingleSearchEnd run_single_search(const SingleSearch& search);
 
-/// Bits of a register whose lanes take a query each; none: one query after the other.
-enum class LaneWidth : std::uint16_t { none = 0, bits_128 = 128, bits_256 = 256 };
-
-/// The best width on this processor: AVX2's, or none. Only x86 was measured.
-[[nodiscard]] LaneWidth best_lanes();
+/// Returns true if the processor has AVX2: its registers take the searches of eight queries. Only x86 was
+/// measured.
+[[nodiscard]] bool has_lanes();
 
 /// Where the lanes' searches come from and their ends go to.
 class SearchSource {
@@ -83,8 +81,8 @@ class SearchSource {
     virtual void take(int lane, const SingleSearchEnd& end) = 0;
 };
 
-/// Runs all searches of the source, side by side, at a width that the processor has.
-void run_lane_searches(SearchSource& source, LaneWidth width);
+/// Runs all searches of the source, side by side, on a processor that has_lanes().
+void run_lane_searches(SearchSource& source);
 
 /// Writes a table's vertices, less the first, times `scale`.
 template <NumberedTable Table>
