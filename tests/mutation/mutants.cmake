@@ -158,6 +158,10 @@ edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[moved_far &= step
     NearerStart.OfBoxes* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
+edgewise_mutant(pierced_beside_the_face layout_parts/derived/derived_ends.hpp [[within &= (rise > 0 ? volume : -volume) > least_volume * norm(side);]] [[]]
+    StillClosest.* ${unit}/algorithms/still_closest_test.cpp)
+edgewise_mutant(pierced_beyond_the_edge layout_parts/derived/derived_ends.hpp [[std::abs(rise) - to_plane > least_height]] [[true]]
+    StillClosest.* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(proof_along_short_directions layout_parts/derived/derived_ends.hpp [[ && !is_short;]] [[;]]
     NearlyParallelEdges.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
 edgewise_mutant(cycle_never_seen algorithms/vclip/cycle_guard.hpp [[if (a == a_ && b == b_) return true;]] [[if (a == a_ && b == b_) return false;]]

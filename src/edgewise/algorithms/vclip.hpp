@@ -136,6 +136,17 @@ template <class TableA, class TableB>
     return std::nullopt;
 }
 
+/// Returns true if the pair that a query has reached after `steps` steps is known to overlap: two boxes by a
+/// point of both, others by an edge that pierces a face.
+template <class TableA, class TableB>
+[[nodiscard]] bool overlaps_at(const Outlook& known, bool hardened, int steps, const Body<TableA>& a,
+                               const Body<TableB>& b) {
+    if constexpr (are_boxes<TableA, TableB>) return known.overlaps;
+    if constexpr (ChecksPiercing<TableA> && ChecksPiercing<TableB>)
+        return hardened && steps <= most_proofs && still_pierced(a, b);
+    return false;
+}
+
 /// Walks to the closest features. `hardened`: as in QueryOptions; `moved_far`: as in FeaturePair.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
@@ -161,7 +172,7 @@ template <class TableA, class TableB, class Observer>
             }
         }
         observer.visit(a.feature.kind(), b.feature.kind());
-        if (are_boxes<TableA, TableB> && known.overlaps) return ended({.status = Status::overlapping}, false);
+        if (overlaps_at(known, hardened, steps, a, b)) return ended({.status = Status::overlapping}, false);
         if (hardened) {
             if (const auto closest = proven_at(steps, a, b))
                 return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);

@@ -2,7 +2,7 @@
 //
 // The proof that two features are closest, of every pair of features of bodies in random poses, compared with
 // exact arithmetic: whatever it proves must be the distance, and of separated bodies it must prove some pair,
-// unless two vertices are closest.
+// unless two vertices are closest. The proof that an edge pierces a face likewise: only bodies that overlap.
 #include "edgewise/algorithms/vclip/still_closest.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ struct Proofs {
     std::array<int, 9> of_kinds = {};  ///< by vclip::pair_of
     double worst = 0;                  ///< error of a proven distance
     double worst_turn = 0;             ///< of a face's normal that goes with one, radians
-    int separated = 0, proven = 0, overlapping = 0;
+    int separated = 0, proven = 0, overlapping = 0, pierced = 0;
 };
 
 /// Poses of a body at rest and another.
@@ -53,10 +53,11 @@ void prove_all(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& p
     const auto into_a = cast<ComputeOf<Table>>(Transform<double>{pose.rotation, pose.translation});
     const auto into_b = into_a.inverse();
     const auto features_a = features_of(table_a), features_b = features_of(table_b);
-    int found = 0;
+    int found = 0, piercing = 0;
     for (const auto& of_a : features_a) {
         for (const auto& of_b : features_b) {
             const vclip::Body<Table> a{table_a, into_a, of_a}, b{table_b, into_b, of_b};
+            piercing += vclip::still_pierced(a, b);
             const auto points = vclip::still_closest(a, b);
             if (!points) continue;
             ++found;
@@ -69,9 +70,10 @@ void prove_all(const Polyhedron& body_a, const Polyhedron& body_b, const Pose& p
             proofs.worst_turn = std::max(proofs.worst_turn, turn);
         }
     }
-    EXPECT_TRUE(is_separated || found == 0);
+    EXPECT_TRUE(is_separated ? piercing == 0 : found == 0);
     (is_separated ? proofs.separated : proofs.overlapping) += 1;
     proofs.proven += found > 0;
+    proofs.pierced += piercing > 0;
 }
 
 /// From deep inside of each other to two sizes from each other.
@@ -96,8 +98,9 @@ Proofs proofs_of(std::initializer_list<const char*> shapes) {
 }
 
 void expect_proofs(const Proofs& proofs, double most_error) {
-    std::printf("%d of %d separated poses proven, worst error %.3g; %d overlapping ones; proofs by kinds",
-                proofs.proven, proofs.separated, proofs.worst, proofs.overlapping);
+    std::printf(
+        "%d of %d separated poses proven, worst error %.3g; %d of %d overlapping ones; proofs by kinds",
+        proofs.proven, proofs.separated, proofs.worst, proofs.pierced, proofs.overlapping);
     for (const int count : proofs.of_kinds) std::printf(" %d", count);
     std::printf("\n");
     using enum FeatureKind;
@@ -109,6 +112,7 @@ void expect_proofs(const Proofs& proofs, double most_error) {
         }
     }
     EXPECT_GT(proofs.overlapping, 20);
+    EXPECT_GT(proofs.pierced, proofs.overlapping * 9 / 10) << "except where a body holds the other";
     EXPECT_GT(proofs.proven, proofs.separated * 9 / 10) << "except for pairs of vertices";
     EXPECT_LT(proofs.worst, most_error);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves that two features hold the closest points, by the corners next to them alone. Where planes are not
-// stored, deriving a state's planes costs more than this proof, and most coherent queries end where they
-// start or a step or two from there.
+// Proves that two features hold the closest points, or that they pierce each other, by the corners next to
+// them alone. Where planes are not stored, deriving a state's planes costs more than this proof, and most
+// coherent queries end where they start or a step or two from there.
 //
 // Two points, one of either body, are closest when no corner lies beyond the planes through them across the
 // line between them. On a convex body only the corners next to the feature matter, as in a climb (optimality
@@ -157,6 +157,35 @@ template <EndsAtFeatures TableA, EndsAtFeatures TableB>
             return prove_vertex_and_face(a, b);
     }
     return std::nullopt;
+}
+
+/// A table that can check that a piece of a line crosses a face, by more than `noise`.
+template <class Table>
+concept ChecksPiercing = requires(const Table& table, typename Table::Face f, Vec3<ComputeOf<Table>> point,
+                                  ComputeOf<Table> noise) {
+    { table.is_pierced(f, point, point, noise) } -> std::same_as<bool>;
+};
+
+template <class Mine, class Theirs>
+[[nodiscard]] bool pierces(const Body<Mine>& mine, const Body<Theirs>& theirs) {
+    const auto edge = segment_seen_by(theirs, mine.table, mine.feature.edge());
+    const ComputeOf<Theirs> noise =
+        std::max(plane_noise<Theirs> * size_of(edge.tail, edge.head), face_noise(theirs.table));
+    return theirs.table.is_pierced(theirs.feature.face(), edge.tail, edge.head, noise);
+}
+
+/// Returns true if one feature is an edge that pierces the other, a face, by more than rounding. Time of
+/// lean_f64 in contact over that without this, boxes / spheres of 38 vertices, 0.01 rad per step: 0.55, 0.79.
+template <ChecksPiercing TableA, ChecksPiercing TableB>
+[[nodiscard]] bool still_pierced(const Body<TableA>& a, const Body<TableB>& b) {
+    using enum FeatureKind;
+    switch (pair_of(a.feature.kind(), b.feature.kind())) {
+        case pair_of(edge, face):
+            return pierces(a, b);
+        case pair_of(face, edge):
+            return pierces(b, a);
+    }
+    return false;
 }
 
 }  // namespace edgewise::vclip

@@ -5,7 +5,7 @@
 // The line between the closest points is a difference of two points, each rounded: its direction is off by
 // the rounding over its length. Where an edge of each body lies almost along the other's, or a face along an
 // edge, whole valleys of feature pairs have almost the same distance, and V-Clip may stop anywhere. A vertex
-// over a face, and edges that cross at a fair angle, are safe: a plane or cross product decides.
+// over a face, and edges that cross at a fair angle, are safe: a plane or a cross product says
 // which way is out, whatever the distance.
 #pragma once
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that a body ends at a feature along a direction, for a table that stores no feature: each corner
-// next to the feature is read once, and no plane is made except a face's own (vclip/still_closest.hpp).
+// Checks that a body ends at a feature along a direction, or that an edge pierces a face, for a table that
+// stores no feature: each corner next to the feature is read once, and no plane is made except a face's own
+// (vclip/still_closest.hpp).
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "edgewise/layout_parts/derived/derived_planes.hpp"
 
@@ -65,6 +68,15 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         return AnchoredPlane<Compute>{normal, first};
     }
 
+    /// Returns true if the piece from tail to head crosses the face, farther than `noise` from its sides, and
+    /// both ends are farther than that from its plane. False for a face with more than most_corners.
+    [[nodiscard]] bool is_pierced(const Face& f, const Vec3<Compute>& tail, const Vec3<Compute>& head,
+                                  Compute noise) const {
+        std::array<Vec3<Compute>, most_corners> corners;
+        const std::size_t count = read_corners(f, corners);
+        return count > 0 && crosses(std::span(corners).first(count), tail, head, noise);
+    }
+
   protected:
     using Base::facts_, Base::loader_, Base::rings;
 
@@ -113,6 +125,23 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
             if (is_beside(normal, corners[i], corners[i + 1 < count ? i + 1 : 0], point)) return std::nullopt;
         }
         return AnchoredPlane<Compute>{normal, corners[0]};
+    }
+    /// A piece crosses a convex polygon if its ends lie on either side of the plane, and the volumes that it
+    /// spans with the sides all have one sign: the line then passes within all of them.
+    [[nodiscard]] static bool crosses(std::span<const Vec3<Compute>> corners, const Vec3<Compute>& tail,
+                                      const Vec3<Compute>& head, Compute noise) {
+        const Vec3<Compute> along = head - tail, p = corners[1] - corners[0], q = corners[2] - corners[0];
+        const Vec3<Compute> normal = cross(p, q);
+        const Compute rise = dot(normal, along), height = dot(normal, Vec3<Compute>(corners[0] - tail)),
+                      to_plane = rise > 0 ? height : -height;
+        const Compute least_height = noise * norm(p) * norm(q), least_volume = noise * norm(along);
+        bool within = to_plane > least_height && std::abs(rise) - to_plane > least_height;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Vec3<Compute> side = corners[i + 1 < corners.size() ? i + 1 : 0] - corners[i];
+            const Compute volume = dot(along, cross(Vec3<Compute>(corners[i] - tail), side));
+            within &= (rise > 0 ? volume : -volume) > least_volume * norm(side);
+        }
+        return within;
     }
     /// Reads all corners of a face in order, from its first; none if it has too many. The ring of the first
     /// corner knows the last one: the way around ends there.
