@@ -139,7 +139,7 @@ CellCounts counts_of(const ReportData& data) {
 
 /// Results of one table type over all scenes.
 struct Tally {
-    std::size_t losses = 0, ties = 0, choices = 0;
+    std::size_t losses = 0, ties = 0, choices = 0, dropped = 0;
     double log_ratios = 0, bytes = std::numeric_limits<double>::infinity();
 
     /// Geometric mean of its ratios.
@@ -158,12 +158,17 @@ constexpr double as_fast = 1.05;
 /// By algorithm and table type.
 using Tallies = std::map<std::pair<std::string, std::string>, Tally>;
 
-/// Drops what is slower on average than the paper's layout, if that ties somewhere. Keeps those that tie in
-/// most scenes, and of these the ones that are as fast on average.
+/// Keeps what ties in most scenes among those that are no slower on average than the paper's layout, and of
+/// these what is as fast on average; the paper's layout itself if all that tie somewhere are slower.
 void keep_best(Tallies& tallies, const Baseline& paper) {
-    if (const auto own = tallies.find({paper.algorithm, paper.table}); own != tallies.end()) {
-        const double ratio = own->second.ratio();
+    const auto own = tallies.find({paper.algorithm, paper.table});
+    const Tallies only_own = own == tallies.end() || own->second.dropped > 0 ? Tallies{} : Tallies{*own};
+    std::erase_if(tallies, [](const auto& one) { return one.second.ties == 0; });
+    if (tallies.empty()) return;
+    if (!only_own.empty()) {
+        const double ratio = only_own.begin()->second.ratio();
         std::erase_if(tallies, [ratio](const auto& one) { return one.second.ratio() > ratio; });
+        if (tallies.empty()) tallies = only_own;
     }
     const auto tally_of = [](const auto& one) -> const Tally& { return one.second; };
     const Tally most = std::ranges::min_element(tallies, &Tally::ties_in_more_than, tally_of)->second;
@@ -226,8 +231,9 @@ Answer answer_of(const ReportData& data, const Question& question) {
 
 const Recommendation::InScene& Recommendation::example() const {
     const InScene* best = nullptr;
+    const auto rank = [](const InScene& one) { return std::make_tuple(!one.ties, one.cell->ratio); };
     for (const InScene& one : scenes)
-        if (one.ties && (!best || one.cell->ratio < best->cell->ratio)) best = &one;
+        if (one.cell && (!best || rank(one) < rank(*best))) best = &one;
     return *best;
 }
 
@@ -258,13 +264,13 @@ std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>&
             const bool fast = scene.winner() && one.ratio <= store::fast_ratio * scene.winner()->ratio;
             ++(fast && scene.ties_with_winner(one) ? tally.ties : tally.losses);
             tally.choices += &one == scene.choice();
+            tally.dropped += !one.dropped.empty();
             tally.log_ratios += std::log(one.ratio);
             tally.bytes = one.bytes_per_edge.value_or(tally.bytes);
         }
     }
-    std::erase_if(tallies, [](const auto& tally) { return tally.second.ties == 0; });
+    if (!scenes.empty()) keep_best(tallies, scenes.front().ratios_to);
     if (tallies.empty()) return std::nullopt;
-    keep_best(tallies, scenes.front().ratios_to);
     const auto best = std::ranges::min_element(
         tallies, [](const auto& a, const auto& b) { return a.second.better_than(b.second); });
     Recommendation take{best->first.first, best->first.second, {}};

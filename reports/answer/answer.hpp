@@ -84,14 +84,15 @@ struct Recommendation {
     std::vector<InScene> scenes;             ///< one for each scene that counts and has a winner
     std::optional<double> worst_error = {};  ///< over all scenes that recommend something
 
-    [[nodiscard]] const InScene& example() const;  ///< the scene where it ties with the smallest ratio
+    /// Returns the scene where it ties with the smallest ratio; where it ties nowhere, of all scenes.
+    [[nodiscard]] const InScene& example() const;
     [[nodiscard]] bool beats_baseline_somewhere() const;
 };
 /// Returns the cell that ties in most scenes and takes at most `store::fast_ratio` times as long as the
-/// winner there, and on average no longer than the paper's layout if that ties somewhere; of several, one
-/// that is within 5 % of the fastest of them on average over the scenes; then the choice of most, then that
-/// with the smallest tables. Noisy scenes count only if all are too noisy; scenes that recommend nothing
-/// never count. Null if no scene with a winner is left.
+/// winner there, and on average no longer than the paper's layout; of several, one that is within 5 % of the
+/// fastest of them on average over the scenes; then the choice of most, then that with the smallest tables.
+/// If all that tie take longer on average, the paper's layout. Noisy scenes count only if all are too noisy;
+/// scenes that recommend nothing never count. Null if no scene with a winner is left.
 [[nodiscard]] std::optional<Recommendation> recommendation_of(const std::vector<SceneRanking>& scenes);
 
 /// Returns the largest error of this table type in the scenes that recommend something; null if it has none.

@@ -107,7 +107,10 @@ Decision decision_of(const Answer& answer, bool own_tables) {
         return {{}, {"too noisy to choose by: " + noise}};
     const RankedCell& cell = *take->example().cell;
     Decision decision{cell.name(), {time_fact(*take), bytes_fact(cell)}};
-    if (!take->beats_baseline_somewhere()) decision.facts.front() += "; nothing beats the paper's layout";
+    if (!take->example().ties)
+        decision.facts.front() += "; what wins a scene is slower on average";
+    else if (!take->beats_baseline_somewhere())
+        decision.facts.front() += "; nothing beats the paper's layout";
     const auto near_error = worst_error_of(answer.near, take->algorithm, take->table);
     if (const double error = std::max(take->worst_error.value_or(0), near_error.value_or(0)); error > 0)
         decision.facts.push_back("worst error " + number_text(error, "scale"));
