@@ -65,6 +65,14 @@ edgewise_mutant(kept_direction_forgets_the_cutoff algorithms/kept_simplex.hpp [[
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(contact_in_the_whole_band algorithms/vclip/trust.hpp [[double{Tolerance<ComputeOf<TableA>>::meeting}]] [[double{Tolerance<ComputeOf<TableA>>::contact_noise}]]
     VClipNearContact.* ${unit}/algorithms/nearly_parallel_edges_test.cpp)
+edgewise_mutant(height_of_any_vertex algorithms/support.hpp [[return highest <= height + band ?]] [[return true ?]]
+    GreatestHeight.* ${unit}/algorithms/support_test.cpp)
+edgewise_mutant(height_in_a_dent algorithms/support.hpp [[if (!table.strictly_convex()) return std::nullopt;]] [[]]
+    GreatestHeight.* ${unit}/algorithms/support_test.cpp)
+edgewise_mutant(far_pairs_ask_corners_first algorithms/vclip.hpp [[first = next_try(result, false);]] [[]]
+    CloseBodies.* ${unit}/algorithms/kept_simplex_test.cpp)
+edgewise_mutant(close_pairs_walk_first algorithms/vclip.hpp [[return is_close ? FirstTry::corners : FirstTry::walk;]] [[return FirstTry::walk;]]
+    CloseBodies.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(climb_first_neighbour_only algorithms/support.hpp [[if (improved) continue;]] [[]]
@@ -144,9 +152,9 @@ edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared >
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
 edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return std::max(a.vertex_count(), b.vertex_count()) <= most_scanned;]] [[return false;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, moved_far};]] [[pair = {a, b, end};]]
+edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, first};]] [[pair = {a, b, end};]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(far_moves_never_over algorithms/vclip/nearer_start.hpp [[moved_far = start == Start::nearer && !is_cold;]] [[moved_far = start == Start::nearer || !is_cold;]]
+edgewise_mutant(far_moves_never_over algorithms/vclip/nearer_start.hpp [[if (start == Start::nearer && !is_cold) return]] [[if (start == Start::nearer || !is_cold) return]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(cold_start_anywhere algorithms/vclip/nearer_start.hpp [[const bool is_cold = start_is_cold(a, b);]] [[const bool is_cold = false;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
@@ -154,7 +162,7 @@ edgewise_mutant(box_points_stay algorithms/vclip/box_start.hpp [[            mov
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
 edgewise_mutant(box_start_leaves_the_end algorithms/vclip/nearer_start.hpp [[!(points.squared_distance() < squared_norm]] [[!(0 < squared_norm]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
-edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[moved_far &= steps == std::max(known.far_off, 1);]] [[]]
+edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[known.moved_far &= steps == std::max(known.far_off, 1);]] [[]]
     NearerStart.OfBoxes* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
@@ -298,9 +306,9 @@ edgewise_mutant(level_sides_of_boxes_overlooked layouts/box.hpp [[== top) best ^
     Box.Finds* ${unit}/layout_parts/box_test.cpp)
 
 # Raw V-Clip
-edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false, moved_far);]] [[return walk(a, b, nobody, true, moved_far);]]
+edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false, first);]] [[return walk(a, b, nobody, true, first);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return walk(a, b, nobody, true, moved_far);]] [[return walk(a, b, nobody, false, moved_far);]]
+edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return answer_from(a, b, nobody, true, first);]] [[return answer_from(a, b, nobody, false, first);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)

@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "edgewise/geometry/pack.hpp"
@@ -289,13 +290,39 @@ template <SupportTable Table, class Number>
     }
 }
 
+/// Vertices up to which a wider scalar scans heights: neighbours of a vertex lie in more lines. Lines of GJK
+/// on aos_f32 by neighbours / by a scan, 0.01 rad per step and cold: at 18 vertices 9.1 / 7.3 and 11.8 / 8.0,
+/// at 38 12.4 / 14.0 and 20.1 / 16.0, with 43 / 75 and 112 / 155 reads.
+inline constexpr std::size_t most_heights_scanned = 32;
+
+/// The height of a vertex and its neighbours in a wider scalar than the table's, if none of them is higher by
+/// more than rounding and the body is strictly convex for the table's scalar: then no vertex is. Behind level
+/// neighbours the body may rise by rounding over strict_turn: in doubles by 2e-9 of its size.
+template <ClimbingTable Table, class Number>
+[[nodiscard]] std::optional<Number> height_of_top(const Table& table, const Vec3<Number>& direction,
+                                                  typename Table::Vertex vertex) {
+    if (!table.strictly_convex()) return std::nullopt;
+    const Vec3<Number> point = cast<Number>(table.vertex(vertex));
+    const Number height = dot(point, direction);
+    Number highest = height;
+    for (const auto v : table.neighbours(vertex))
+        highest = std::max(highest, dot(cast<Number>(table.vertex(v)), direction));
+    const Number band = Tolerance<Number>::level * max_abs(point) * max_abs(direction);
+    return highest <= height + band ? std::optional(highest) : std::nullopt;
+}
+
 /// Height of the farthest vertex along a direction, in the direction's scalar: small bodies are scanned, on
-/// large ones a climb begins at `start`, if it computes as precisely.
+/// large ones a climb begins at `start`, if it computes as precisely. In a wider scalar `start` is tried
+/// first: near queries of V-Clip on aos_f32 / lean_f32 in a recorded heap take 0.75 / 0.80 of the time.
 template <SupportTable Table, class Number>
 [[nodiscard]] Number greatest_height(const Table& table, const Vec3<Number>& direction,
                                      typename Table::Vertex start) {
-    if constexpr (std::is_same_v<Number, ComputeOf<Table>>)
+    if constexpr (std::is_same_v<Number, ComputeOf<Table>>) {
         if (!is_small(table)) return support(table, direction, start).along;
+    } else if constexpr (ClimbingTable<Table>) {
+        if (table.vertex_count() > most_heights_scanned)
+            if (const auto height = height_of_top(table, direction, start)) return *height;
+    }
     return scan_height(table, direction);
 }
 

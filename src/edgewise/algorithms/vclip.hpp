@@ -97,6 +97,12 @@ enum class End : std::uint8_t {
     cycled,
 };
 
+/// Answers by corners of both features; false if that is not proven.
+template <class TableA, class TableB>
+[[nodiscard]] bool try_corners(const Body<TableA>& a, const Body<TableB>& b, Distance& result) {
+    return is_traced<TableA> ? answer_by_corners(a, b, result) : answer_by_corners_inlined(a, b, result);
+}
+
 /// The answer of a run that ended; where it is not trusted, that of its features' corners or the fallback's.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
@@ -106,8 +112,7 @@ template <class TableA, class TableB, class Observer>
     const bool is_cycle = end == End::cycled;
     const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
     if (verdict == Trust::sound) return result;
-    const bool are_closest =
-        is_traced<TableA> ? answer_by_corners(a, b, result) : answer_by_corners_inlined(a, b, result);
+    const bool are_closest = try_corners(a, b, result);
     if (!are_closest) {
         observer.ask_gjk();
         result = answer_by_gjk(a, b);
@@ -127,11 +132,11 @@ inline constexpr int most_proofs = 3;
 /// The closest points of the pair that a query has reached after `steps` steps, where the proof is tried and
 /// holds.
 template <class TableA, class TableB>
-[[nodiscard]] Proven<ComputeOf<TableA>> proven_at([[maybe_unused]] int steps,
+[[nodiscard]] Proven<ComputeOf<TableA>> proven_at([[maybe_unused]] bool hardened, [[maybe_unused]] int steps,
                                                   [[maybe_unused]] const Body<TableA>& a,
                                                   [[maybe_unused]] const Body<TableB>& b) {
     if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
-        if (steps <= most_proofs) return still_closest(a, b);
+        if (hardened && steps <= most_proofs) return still_closest(a, b);
     }
     return std::nullopt;
 }
@@ -147,16 +152,24 @@ template <class TableA, class TableB>
     return false;
 }
 
-/// Walks to the closest features. `hardened`: as in QueryOptions; `moved_far`: as in FeaturePair.
+/// What the next query tries first, after a walk with this answer.
+[[nodiscard]] inline FirstTry next_try(const Distance& result, bool moved_far) {
+    if (moved_far) return FirstTry::nearer_start;
+    const bool is_close = result.refinements > 0 && result.status == Status::separated;
+    return is_close ? FirstTry::corners : FirstTry::walk;
+}
+
+/// Walks to the closest features. `hardened`: as in QueryOptions; `first`: as in answer_from.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
-                            [[maybe_unused]] bool& moved_far) {
-    [[maybe_unused]] Outlook known = hardened ? start_nearer_if_far(a, b, moved_far) : Outlook{};
+                            FirstTry& first) {
+    Outlook known = hardened ? start_nearer_if_far(a, b, first) : Outlook{};
     CycleGuard guard(a.feature, b.feature);
     int steps = 1, escapes = 0;
     const auto ended = [&](Distance result, bool cycle) {
         // Search again only after a start that was the end: else a pair at rest would leave its features.
-        if constexpr (are_boxes<TableA, TableB>) moved_far &= steps == std::max(known.far_off, 1);
+        if constexpr (are_boxes<TableA, TableB>) known.moved_far &= steps == std::max(known.far_off, 1);
+        first = next_try(result, known.moved_far);
         result.steps = steps;
         result.cycles = cycle;
         result.escapes = escapes;
@@ -166,17 +179,15 @@ template <class TableA, class TableB, class Observer>
         if constexpr (may_start_nearer<TableA, TableB>) {
             if (steps == known.far_off) {
                 const Start start = start_nearer_on_the_way(a, b);
-                moved_far = start == Start::nearer;
+                known.moved_far = start == Start::nearer;
                 known.overlaps = start == Start::overlaps;
                 guard = CycleGuard(a.feature, b.feature);
             }
         }
         observer.visit(a.feature.kind(), b.feature.kind());
         if (overlaps_at(known, hardened, steps, a, b)) return ended({.status = Status::overlapping}, false);
-        if (hardened) {
-            if (const auto closest = proven_at(steps, a, b))
-                return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);
-        }
+        if (const auto closest = proven_at(hardened, steps, a, b))
+            return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);
         const Step last = step(a, b);
         escapes += last == Step::escaped;
         const bool moved = last == Step::moved || last == Step::escaped;
@@ -189,24 +200,51 @@ template <class TableA, class TableB, class Observer>
     }
 }
 
+/// Answers by the corners of the last features, which had been close; false if they do not hold the closest
+/// points any more. In singles a walk's answer of close bodies is computed again from corners, in doubles:
+/// without the walk, near queries of aos_f32 / lean_f32 in a recorded heap take 0.75 / 0.77 of the time.
+template <class TableA, class TableB>
+[[nodiscard]] bool answer_still_close(const Body<TableA>& a, const Body<TableB>& b, Distance& result,
+                                      FirstTry& first) {
+    if (!try_corners(a, b, result)) return false;
+    result.steps = 1;
+    result.refinements = result.distance <= untrusted<TableA, TableB> * pair_size(a, b);
+    first = next_try(result, false);
+    return true;
+}
+
+/// Answers from where the pair's last query ended. `first`: what this query tries first; then what the next
+/// one does.
+template <class TableA, class TableB, class Observer>
+[[nodiscard]] Distance answer_from(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
+                                   FirstTry& first) {
+    if (hardened && first == FirstTry::corners) {
+        if (Distance result; answer_still_close(a, b, result, first)) {
+            observer.visit(a.feature.kind(), b.feature.kind());
+            return result;
+        }
+    }
+    return walk(a, b, observer, hardened, first);
+}
+
 /// One run with everything inlined, as a symbol of its own, for the reasons given at run_gjk.
 template <class TableA, class TableB>
-[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b, bool& moved_far) {
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b, FirstTry& first) {
     NoObserver nobody;
-    return walk(a, b, nobody, true, moved_far);
+    return answer_from(a, b, nobody, true, first);
 }
 
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] [[gnu::noinline]] Distance run_observed(Body<TableA>& a, Body<TableB>& b, Observer& observer,
-                                                      bool hardened, bool& moved_far) {
-    return walk(a, b, observer, hardened, moved_far);
+                                                      bool hardened, FirstTry& first) {
+    return answer_from(a, b, observer, hardened, first);
 }
 
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
     NoObserver nobody;
-    bool moved_far = false;
-    return walk(a, b, nobody, false, moved_far);
+    FirstTry first = FirstTry::walk;
+    return walk(a, b, nobody, false, first);
 }
 
 /// Passes a pose to GJK where V-Clip's two frames may disagree too much, because R is not orthogonal.
@@ -249,17 +287,17 @@ struct VClip {
         if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
             if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
             if (options.hardened)
-                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, bool&) {
+                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry&) {
                     return vclip::handed_on(body_a, body_b, observer);
                 });
         }
-        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, bool& moved_far) {
+        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry& first) {
             if constexpr (is_looked_at<TableA, Observer>)
-                return vclip::run_observed(body_a, body_b, observer, options.hardened, moved_far);
+                return vclip::run_observed(body_a, body_b, observer, options.hardened, first);
             else if (!options.hardened) [[unlikely]]
                 return vclip::run_raw(body_a, body_b);
             else
-                return vclip::run(body_a, body_b, moved_far);
+                return vclip::run(body_a, body_b, first);
         });
     }
 
@@ -274,13 +312,12 @@ struct VClip {
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
-        bool moved_far = pair.moved_far();
-        const Distance result = run(body_a, body_b, moved_far);
+        FirstTry first = pair.first_try();
+        const Distance result = run(body_a, body_b, first);
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        if (!(end == start) || !pair.belongs_to(a, b))
-            pair = {a, b, end, moved_far};
-        else if (pair.moved_far())
-            pair = {a, b, end};
+        const bool is_at_rest = end == start && pair.belongs_to(a, b);
+        if (is_at_rest && first == FirstTry::nearer_start) first = FirstTry::walk;
+        if (!is_at_rest || first != pair.first_try()) pair = {a, b, end, first};
         return within(options, result);
     }
 };

@@ -183,6 +183,70 @@ TEST(KeptSimplex, HoldsATipOverAnyPartOfAFace) {
     EXPECT_EQ(observer.asked, 0);
 }
 
+/// A pair in single that is turned a little in each frame, for ten frames each: close, half a unit apart,
+/// close, and overlapping.
+struct FramesOfAPair {
+    int close = 0, far = 0, overlapping = 0,
+        repeated = 0;  ///< repeated: of the close, answered at corners again
+    double worst = 0;
+
+    using Single = aos<f32>;
+    FeaturePair<Single, Single> pair;
+
+    FramesOfAPair(const Single& a, const Single& b) : pair(a, b) {}
+
+    void ask(const Polyhedron& body_a, const Polyhedron& body_b, const Single& a, const Single& b,
+             const Transform<double>& pose) {
+        const Distance answer = VClip::query(a, b, pose, pair);
+        const auto exact =
+            truth::exact_distance(body_a.vertices, Pose{}, body_b.vertices, {pose.rotation, pose.translation})
+                .or_throw();
+        worst = std::max(worst, std::abs(answer.distance - exact.distance) / 4);
+        ++(exact.distance == 0 ? overlapping : exact.distance < 1e-4 ? close : far);
+        if (exact.distance == 0 || exact.distance > 1e-4) {
+            EXPECT_NE(pair.first_try(), FirstTry::corners) << exact.distance;
+            return;
+        }
+        const bool at_corners = pair.first_try() == FirstTry::corners;
+        const Distance again = VClip::query(a, b, pose, pair);
+        EXPECT_NEAR(again.distance, answer.distance, 1e-6);
+        repeated += at_corners && again.steps == 1 && again.refinements == 1;
+    }
+};
+
+TEST(CloseBodies, AreAskedAtTheirCornersFirst) {
+    scene::Rng rng(14);
+    int close = 0, far = 0, overlapping = 0, repeated = 0;
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Polyhedron body_a = round_to_single(random_hull(rng)).or_throw(),
+                         body_b = round_to_single(random_hull(rng)).or_throw();
+        const aos<f32> a(body_a, Parts::features), b(body_b, Parts::features);
+        const Table points_a(body_a, Parts::support), points_b(body_b, Parts::support);
+        FramesOfAPair frames(a, b);
+        Transform<double> pose{rng.rotation(), 3 * rng.on_sphere()};
+        for (const double gap : {1e-5, 0.5, 2e-5, -0.05}) {
+            for (int frame = 0; frame < 10; ++frame) {
+                pose.rotation *= rotation_matrix(scene::rotation_about(rng.on_sphere(), 1e-3));
+                pose.translation *= 2 / norm(pose.translation) + 1;
+                SimplexPair<Table, Table> points(points_a, points_b);
+                const Distance answer = Gjk::query(points_a, points_b, pose, points);
+                pose.translation -= (answer.distance - gap) * answer.normal;
+                pose = cast<double>(cast<float>(pose));
+                frames.ask(body_a, body_b, a, b, pose);
+            }
+        }
+        close += frames.close, far += frames.far, overlapping += frames.overlapping;
+        repeated += frames.repeated;
+        worst = std::max(worst, frames.worst);
+    }
+    std::printf("%d close (%d answered at corners again), %d far, %d overlapping, worst error %.3g\n", close,
+                repeated, far, overlapping, worst);
+    for (const int visited : {close, far, overlapping}) EXPECT_GT(visited, 1000);
+    EXPECT_GE(repeated, 0.98 * close);
+    EXPECT_LE(worst, 2.5e-7);
+}
+
 /// Three points of a difference: those of a body and the origin.
 struct Triangle {
     int count = 3;

@@ -87,7 +87,7 @@ FarSteps ask_moving(const char* shape, NextRotation next) {
         ++all.queries;
         all.steps += answer.steps;
         all.raw += raw.steps;
-        all.far += pair.moved_far();
+        all.far += pair.first_try() == FirstTry::nearer_start;
         FeaturePair<Table, Table> at_rest = pair;
         all.again += VClip::query(table, table, pose, at_rest).steps;
         all.worst = std::max(all.worst, std::abs(answer.distance - raw.distance));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -124,6 +125,64 @@ TEST(Climb, FindsTheTopBehindLevelVertices) {
     std::printf("worst shortfall: %.3g in double, %.3g in single\n", worst, worst_single);
     EXPECT_LT(worst, 1e-14);
     EXPECT_LT(worst_single, 2e-6);
+}
+
+struct HeightErrors {
+    double worst = 0, worst_of_neighbours = 0;  ///< over the size
+    int by_neighbours = 0, by_scan = 0;
+
+    void add(const lean<f32>& table, const Vec3d& direction, Index start) {
+        const auto height_of = [&](auto v) { return dot(cast<double>(table.vertex(v)), direction); };
+        const double highest = scan_height(table, direction);
+        ++(height_of_top(table, direction, start) ? by_neighbours : by_scan);
+        worst = std::max(worst, std::abs(greatest_height(table, direction, start) - highest) / table.reach());
+        bool is_top = true;
+        for (const auto v : table.neighbours(start)) is_top &= height_of(v) <= height_of(start);
+        if (is_top)
+            worst_of_neighbours = std::max(worst_of_neighbours, (highest - height_of(start)) / table.reach());
+    }
+};
+
+/// Heights of tables in single, computed in double: from the farthest vertex, those around it, and any.
+TEST(GreatestHeight, OfATableInSingleIsThatOfAllVertices) {
+    scene::Rng rng(6);
+    for (const Polyhedron& body : {prism(5, 1), prism(12, 0.01), *scene::make_shape("sphere38"),
+                                   *scene::make_shape("sphere386"), *scene::make_shape("box8")}) {
+        const lean<f32> table(body, Parts::support);
+        ASSERT_TRUE(table.strictly_convex());
+        HeightErrors errors;
+        for (int i = 0; i < 300; ++i) {
+            Vec3d direction = rng.on_sphere();
+            if (i % 3 == 0) direction = direction.array().round();  // level vertices
+            const auto farthest = scan_support(table, cast<float>(direction)).vertex;
+            errors.add(table, direction, farthest);
+            errors.add(table, direction, static_cast<Index>(rng.below(table.vertex_count())));
+            for (const auto v : table.neighbours(farthest)) errors.add(table, direction, v);
+        }
+        std::printf("%d by neighbours, %d by scan, worst error %.3g of the size\n", errors.by_neighbours,
+                    errors.by_scan, errors.worst);
+        EXPECT_LE(errors.worst, 2e-9);
+        EXPECT_GE(std::min(errors.by_neighbours, errors.by_scan), 300);
+    }
+}
+
+/// A vertex 1e-9 outside of a side that rounding to single puts inside: the side's ends have no higher
+/// neighbour, and may be lower than each other.
+TEST(GreatestHeight, OfABodyThatIsNotStrictlyConvexIsFoundByAScan) {
+    const lean<f32> dented(
+        convex_hull(
+            std::vector<Vec3d>{{-1, -0.1, 1}, {0, 0.1 + 1e-9, 1}, {1, 0.3, 1}, {0, -3, 1}, {0, -1, -2}})
+            .or_throw(),
+        Parts::support);
+    ASSERT_EQ(dented.vertex_count(), 5U);
+    ASSERT_FALSE(dented.strictly_convex());
+    HeightErrors errors;
+    for (int i = -100; i <= 100; ++i)
+        for (const Index start : dented.all_vertices())
+            errors.add(dented, Vec3d(-0.2 + i * 1e-10, 1, 0), start);
+    EXPECT_EQ(errors.by_neighbours, 0);
+    EXPECT_EQ(errors.worst, 0);
+    EXPECT_GT(errors.worst_of_neighbours, 1e-9) << "it would have been wrong";
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Support, ::testing::Values("tetra4", "cube8", "sphere18", "sphere386"),

@@ -85,8 +85,8 @@ TEST(Walk, HasTheFeaturesThatVClipVisitsOnTheLayoutItself) {
         vclip::Body<aos<f64>> a{table_a, into_a, start.a}, b{table_b, into_b, start.b};
         std::vector<std::vector<Index>> on_a, on_b;
         Watcher watcher{a, b, on_a, on_b};
-        bool moved_far = false;
-        static_cast<void>(vclip::run_observed(a, b, watcher, true, moved_far));
+        FirstTry first = FirstTry::walk;
+        static_cast<void>(vclip::run_observed(a, b, watcher, true, first));
         ASSERT_EQ(walk->steps.size(), on_a.size() + 1) << "the search for a start, then the states";
         ASSERT_GE(on_a.size(), 4U);
         for (std::size_t i = 0; i < on_a.size(); ++i) {

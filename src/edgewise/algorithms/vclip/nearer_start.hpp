@@ -14,6 +14,7 @@
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"
 #include "edgewise/algorithms/vclip/box_start.hpp"
+#include "edgewise/algorithms/vclip/feature_pair.hpp"
 
 namespace edgewise::vclip {
 
@@ -120,24 +121,25 @@ template <class TableA, class TableB>
     return false;
 }
 
-/// What is known of a run before its first step.
+/// What is known of a run.
 struct Outlook {
     int far_off = 0;  ///< the step before which the run is known to have moved far; 0: never
     bool overlaps = false;
+    bool moved_far = false;  ///< the next query looks for a nearer start first
 };
 
 /// Moves a pair that starts cold, or moved far before, to a nearer start.
 template <class TableA, class TableB>
 [[nodiscard]] Outlook start_nearer_if_far([[maybe_unused]] Body<TableA>& a, [[maybe_unused]] Body<TableB>& b,
-                                          [[maybe_unused]] bool& moved_far) {
+                                          [[maybe_unused]] FirstTry first) {
     if constexpr (may_start_nearer<TableA, TableB>) {
         const bool is_cold = start_is_cold(a, b);
-        if (is_cold || moved_far) {
+        if (is_cold || first == FirstTry::nearer_start) {
             const Start start = start_nearer(a, b);
-            moved_far = start == Start::nearer && !is_cold;
             if (start == Start::overlaps) return {.overlaps = true};
+            if (start == Start::nearer && !is_cold) return {.moved_far = true};
         }
-        if (!is_cold && !moved_far && are_searched(a.table, b.table))
+        if (!is_cold && are_searched(a.table, b.table))
             return {1 + (are_boxes<TableA, TableB> ? steps_before_search_of_boxes : steps_before_search)};
     }
     return {};

@@ -82,6 +82,13 @@ template <class TableA, class TableB>
     return Trust::sound;
 }
 
+/// Largest coordinate of both bodies and their offset, to which rounding is relative.
+template <class TableA, class TableB>
+[[nodiscard]] double pair_size(const Body<TableA>& a, const Body<TableB>& b) {
+    const double offset{max_abs(a.from_other.translation)};
+    return std::max({offset, a.table.reach(), b.table.reach()});
+}
+
 /// Decides about any answer. On a body that is not strictly convex a feature's region continues under the
 /// surface, and nothing is trusted without proof: `proven`, by the corners next to the features, or later.
 template <class TableA, class TableB>
@@ -92,8 +99,7 @@ template <class TableA, class TableB>
         if (!holds) return Trust::doubted;
         return rounded_planes<TableA> || rounded_planes<TableB> ? Trust::close : Trust::sound;
     }
-    const double offset{max_abs(a.from_other.translation)};
-    const double size = std::max({offset, a.table.reach(), b.table.reach()});
+    const double size = pair_size(a, b);
     const bool is_far = result.distance > untrusted<TableA, TableB> * size;
     if (!holds) return is_far ? Trust::doubted : Trust::close;
     return is_far ? Trust::sound : trust_close(result, size, a, b);

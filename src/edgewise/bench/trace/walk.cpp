@@ -76,8 +76,8 @@ std::vector<WalkStep> vclip_walk(const Table& table_a, const Table& table_b,
     FeatureNotes<Table> notes{a, b};
     notes.names.input_index.resize(std::max(table_a.vertex_count(), table_b.vertex_count()));
     std::iota(notes.names.input_index.begin(), notes.names.input_index.end(), Index{0});
-    bool moved_far = false;
-    static_cast<void>(vclip::run_observed(a, b, notes, true, moved_far));
+    FirstTry first = FirstTry::walk;
+    static_cast<void>(vclip::run_observed(a, b, notes, true, first));
     return std::move(notes.steps);
 }
 
