@@ -270,29 +270,6 @@ TEST(Answer, TheWorstErrorIsTheLargestOfAllScenesOfTheSentence) {
     EXPECT_EQ(json["take"]["error"], 1.46e-7);
 }
 
-/// Each of two layouts wins one scene and loses much in the other: the paper's, which wins none, is taken. If
-/// it is over the error limit, it is not.
-TEST(Answer, WhatWinsASceneAndIsSlowerOnAverageIsNotTaken) {
-    const auto at = [](TimedCell cell, double ratio) {
-        cell.ratios = {ratio - 0.01, ratio, ratio + 0.01};
-        return cell;
-    };
-    for (const double error : {1e-15, 1e-5}) {
-        ReportData data;
-        TimedCell paper = made_paper;
-        paper.error = error;
-        for (const auto& [lean, gjk] : {std::pair(0.8, 1.5), std::pair(1.5, 0.8)})
-            for (const TimedCell& made : {paper, at(made_lean, lean), at(made_gjk, gjk)})
-                data.cells.push_back(answer_cell(made, lean < gjk ? R"({"bodies":10})" : R"({"bodies":11})"));
-        const auto take = recommendation_of(answer_of(data).shared);
-        ASSERT_TRUE(take);
-        EXPECT_EQ(take->table == "aos_f64", error < 1e-6) << take->table;
-        EXPECT_EQ(take->example().ties, error > 1e-6);
-        const std::string text = terminal_text(answer_of(data), data);
-        EXPECT_EQ(text.find("what wins a scene is slower on average") != text.npos, error < 1e-6);
-    }
-}
-
 /// V-Clip and GJK, each on a small and on a fast layout; without one of them nothing is recommended, and the
 /// sentence says which and how to measure it.
 TEST(Answer, NothingIsRecommendedWithoutSmallAndFastCells) {

@@ -51,6 +51,27 @@ Decision shared_decision(const ReportData& data) { return decision_of(answer_of_
 /// The last but one: default flags follow.
 std::string near_fact(const ReportData& data) { return shared_decision(data).facts.end()[-2]; }
 
+/// Each of two layouts wins one scene and loses much in the other: the paper's, which wins none, is taken. If
+/// it is over the error limit, it is not.
+TEST(Decision, TakesNothingThatWinsASceneAndIsSlowerOnAverage) {
+    const auto at = [](TimedCell cell, double ratio) {
+        cell.ratios = {ratio - 0.01, ratio, ratio + 0.01};
+        return cell;
+    };
+    for (const double error : {1e-15, 1e-5}) {
+        ReportData data;
+        TimedCell paper = decided_paper;
+        paper.error = error;
+        add_decided(data, {paper, at(decided_lean, 0.8), at(decided_points, 1.5)}, R"({"bodies":10})");
+        add_decided(data, {paper, at(decided_lean, 1.5), at(decided_points, 0.8)}, R"({"bodies":11})");
+        const Decision decision = shared_decision(data);
+        ASSERT_FALSE(decision.facts.empty());
+        EXPECT_EQ(decision.take == "V-Clip on aos_f64", error < 1e-6) << decision.take;
+        EXPECT_EQ(decision.facts.front().find("what wins a scene is slower on average") != std::string::npos,
+                  error < 1e-6);
+    }
+}
+
 TEST(Decision, SaysTimeBytesErrorAndNearContact) {
     const Decision decision = shared_decision(decided_store(decided_contest));
     EXPECT_EQ(decision.take, "V-Clip on lean_f32");
