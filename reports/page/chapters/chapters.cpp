@@ -124,18 +124,17 @@ std::string shown_machine(const std::vector<std::string>& machines) {
 std::string many_tables_sentence(const Answer& answer) {
     const std::optional<Recommendation> take = recommendation_of(answer.own);
     if (!take) return {};
+    if (take->algorithm == answer.baseline.algorithm && take->table == answer.baseline.table)
+        return "With a table each, the paper's layout is the one to take.";
     std::map<double, const RankedCell*> by_bodies;
     for (const SceneRanking& scene : answer.own)
         if (const RankedCell* cell = scene.find(take->algorithm, take->table))
             by_bodies[parameter_of(*cell->cell, "bodies").value_or(0)] = cell;
-    std::string slower,
-        faster;  // with the most bodies where it is not faster, and the fewest from which on it is
+    std::string slower, faster;  // the most bodies where it is not faster; the fewest from which on it is
     for (const auto& [bodies, cell] : by_bodies) {
         const std::string at = fmt::format("{} of its time with {} bodies", ratio_text(*cell), bodies);
-        if (cell->high() >= 1)
-            slower = at, faster.clear();
-        else if (faster.empty())
-            faster = at;
+        if (cell->high() >= 1) slower = at, faster.clear();
+        if (cell->high() < 1 && faster.empty()) faster = at;
     }
     return fmt::format("With a table each, {} {}: {}{}{}.", take->example().cell->name(),
                        faster.empty() ? "is not faster than the paper's layout"

@@ -152,7 +152,7 @@ template <class TableA, class TableB>
     return false;
 }
 
-/// What the next query tries first, after a walk with this answer.
+/// What the next query tries first after this answer.
 [[nodiscard]] inline FirstTry next_try(const Distance& result, bool moved_far) {
     if (moved_far) return FirstTry::nearer_start;
     const bool is_close = result.refinements > 0 && result.status == Status::separated;
