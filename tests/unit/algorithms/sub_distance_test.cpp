@@ -99,25 +99,27 @@ TYPED_TEST(SubDistances, SolveWithTheSolverThatWasChosen) {
     }
 }
 
-/// Bodies of lattice points in thirds: their differences are such points, too.
+/// Bodies of lattice points in thirds: their differences are such points, too. Each is the hull of `points`
+/// points of a sphere, rounded to the lattice.
 template <class Table>
-std::vector<Table> lattice_bodies(scene::Rng& rng) {
+std::vector<Table> lattice_bodies(scene::Rng& rng, int points, double radius) {
     std::vector<Table> tables;
     while (tables.size() < 40) {
-        std::vector<Vec3d> points;
-        for (int i = 0; i < 6; ++i) points.emplace_back(rng.in_cube(2).array().round() / 3);
-        if (const auto body = convex_hull(points)) tables.emplace_back(*body, Parts::support);
+        std::vector<Vec3d> some;
+        for (int i = 0; i < points; ++i) some.emplace_back((radius * rng.on_sphere()).array().round() / 3);
+        if (const auto body = convex_hull(some)) tables.emplace_back(*body, Parts::support);
     }
     return tables;
 }
 
 template <class Table>
-std::vector<PairQuery<Table, Table>> lattice_queries(const std::vector<Table>& tables, scene::Rng& rng) {
+std::vector<PairQuery<Table, Table>> lattice_queries(const std::vector<Table>& tables, scene::Rng& rng,
+                                                     int count, double offsets) {
     std::vector<PairQuery<Table, Table>> queries;
-    for (int i = 0; i < 50000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const Table* a = &tables[rng.below(tables.size())];
         const Table* b = &tables[rng.below(tables.size())];
-        const Vec3d offset = rng.in_cube(6).array().round() / 3;
+        const Vec3d offset = rng.in_cube(offsets).array().round() / 3;
         queries.push_back({a, b, {Mat3d::Identity(), offset}, nullptr});
     }
     return queries;
@@ -147,16 +149,14 @@ bool same_answer(const Distance& a, const Distance& b) {
 /// Whole queries: other bits somewhere, so the option reaches the run, and nowhere another answer, but where
 /// the distance is within the verdict's band: bodies that touch in lattice points, which single precision
 /// rounds. A batch, with lanes that know only cofactors, gives the bits of single queries.
-TYPED_TEST(SubDistances, QueriesSolveWithTheSolverThatWasChosen) {
-    scene::Rng rng(6);
-    const auto tables = lattice_bodies<TypeParam>(rng);
-    const auto queries = lattice_queries(tables, rng);
+template <class Table>
+void expect_the_chosen_solver(const std::vector<PairQuery<Table, Table>>& queries) {
     const auto by_signs = answers_of(queries, SubDistanceSolver::cofactors, false),
                by_search = answers_of(queries, SubDistanceSolver::johnson, false),
                batch = answers_of(queries, SubDistanceSolver::johnson, true);
     int other_bits = 0, other_verdicts = 0, other_in_batch = 0;
     double apart = 0;
-    const double band = verdict_band_steps * static_cast<double>(Tolerance<ComputeOf<TypeParam>>::eps);
+    const double eps{Tolerance<ComputeOf<Table>>::eps}, band = verdict_band_steps * eps;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const double distance = std::max(by_signs[i].distance, by_search[i].distance);
         other_verdicts +=
@@ -172,7 +172,21 @@ TYPED_TEST(SubDistances, QueriesSolveWithTheSolverThatWasChosen) {
     EXPECT_GT(other_bits, 0);
     EXPECT_EQ(other_verdicts, 0);
     EXPECT_EQ(other_in_batch, 0);
-    EXPECT_LE(apart, 100 * static_cast<double>(Tolerance<ComputeOf<TypeParam>>::eps));
+    EXPECT_LE(apart, 100 * eps);
+}
+
+TYPED_TEST(SubDistances, QueriesSolveWithTheSolverThatWasChosen) {
+    scene::Rng rng(6);
+    const auto tables = lattice_bodies<TypeParam>(rng, 6, 2);
+    expect_the_chosen_solver(lattice_queries(tables, rng, 50000, 6));
+}
+
+/// Bodies that are not small are never searched in singles: other bits come from the run alone.
+TYPED_TEST(SubDistances, QueriesOfLargeBodiesToo) {
+    scene::Rng rng(8);
+    const auto tables = lattice_bodies<TypeParam>(rng, 400, 20);
+    EXPECT_FALSE(is_small(tables[0]));
+    expect_the_chosen_solver(lattice_queries(tables, rng, 20000, 60));
 }
 
 }  // namespace
