@@ -96,6 +96,10 @@ struct OwnVariation {
 /// Ratios are to the time of this cell, as the store names it.
 struct Baseline {
     std::string algorithm = "vclip", table = "aos_f64";
+
+    [[nodiscard]] bool is(const std::string& other_algorithm, const std::string& other_table) const {
+        return other_algorithm == algorithm && other_table == table;
+    }
 };
 
 /// The cells of one scene and shape, ranked.

@@ -73,7 +73,7 @@ measure::FigureRecord record_of(const ReportData& data, double slack) {
 void widen_noise(const ReportData& data, StoreComparison& comparison) {
     const Baseline baseline = baseline_of(data);
     for (const ReportCell* cell : data.swept()) {
-        if (cell->algorithm != baseline.algorithm || cell->table != baseline.table) continue;
+        if (!baseline.is(cell->algorithm, cell->table)) continue;
         const auto itself = ranked_cell(*cell, 1);
         if (!itself) continue;
         comparison.noise_low = std::min(comparison.noise_low, itself->ratio);

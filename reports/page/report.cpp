@@ -155,9 +155,7 @@ std::string bytes_markdown(const ReportData& data, const Answer& answer) {
                std::stod(a[total].text) < std::stod(b[total].text);
     });
     for (const auto& row : all.rows) {
-        const bool baseline =
-            row[0].text == answer.baseline.algorithm && row[1].text == answer.baseline.table;
-        if (few.rows.size() < few_rows - 1 || baseline)
+        if (few.rows.size() < few_rows - 1 || answer.baseline.is(row[0].text, row[1].text))
             few.rows.push_back({row[0], row[1], row[total], row[total + 1], row[total + 3]});
     }
     return grid_markdown(few);

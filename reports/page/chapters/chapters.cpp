@@ -124,7 +124,7 @@ std::string shown_machine(const std::vector<std::string>& machines) {
 std::string many_tables_sentence(const Answer& answer) {
     const std::optional<Recommendation> take = recommendation_of(answer.own);
     if (!take) return {};
-    if (take->algorithm == answer.baseline.algorithm && take->table == answer.baseline.table)
+    if (answer.baseline.is(take->algorithm, take->table))
         return "With a table each, the paper's layout is the one to take.";
     std::map<double, const RankedCell*> by_bodies;
     for (const SceneRanking& scene : answer.own)

@@ -36,9 +36,8 @@ const ReportCell* cell_of_least(const std::vector<const ReportCell*>& cells, con
 }
 
 const ReportCell* cell_of(const std::vector<const ReportCell*>& cells, const Baseline& baseline) {
-    const auto found = std::ranges::find_if(cells, [&](const ReportCell* cell) {
-        return cell->algorithm == baseline.algorithm && cell->table == baseline.table;
-    });
+    const auto found = std::ranges::find_if(
+        cells, [&](const ReportCell* cell) { return baseline.is(cell->algorithm, cell->table); });
     return found == cells.end() ? nullptr : *found;
 }
 
