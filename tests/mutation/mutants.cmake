@@ -128,6 +128,10 @@ edgewise_mutant(features_of_old_tables_are_followed algorithms/vclip/feature_pai
     RebuiltTable.* ${unit}/algorithms/rebuilt_table_test.cpp)
 
 # V-Clip
+edgewise_mutant(flat_ends_are_proven algorithms/vclip/trust.hpp [[return ends_at_feature(a, towards_b, size) &&]] [[return true || ends_at_feature(a, towards_b, size) &&]]
+    RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
+edgewise_mutant(level_neighbours_are_lower algorithms/vclip/trust.hpp [[!(dot(down, direction) > band)]] [[!(dot(down, direction) >= -band)]]
+    RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(close_normal_by_witness_points algorithms/vclip/trust.hpp [[result.normal = *normal;]] [[]]
     *Normal* ${unit}/algorithms/normal_test.cpp)
 edgewise_mutant(clip_takes_the_nearer_end algorithms/vclip/clip.hpp [[if (lambda > low) {]] [[if (lambda < low) {]]

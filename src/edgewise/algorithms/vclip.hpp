@@ -82,9 +82,11 @@ template <class TableA, class TableB>
     return {.status = last == Step::overlapping ? Status::overlapping : Status::touching};
 }
 
-/// Answer of raw V-Clip: after a cycle from the present features; none where coordinates overflow.
+/// Answer of raw V-Clip: after a cycle from the present features; none where these are an edge and a face, or
+/// where coordinates overflow.
 template <class TableA, class TableB>
 [[nodiscard]] Distance raw_answer(const Body<TableA>& a, const Body<TableB>& b, Step last, bool cycle) {
+    if (cycle && !may_be_closest(a.feature.kind(), b.feature.kind())) return {.status = Status::failed};
     Distance result = answer(a, b, cycle ? Step::separated : last);
     if (!std::isfinite(result.distance)) result = {.status = Status::failed};
     return result;
@@ -176,13 +178,11 @@ template <class TableA, class TableB, class Observer>
         return result;
     };
     for (;; ++steps) {
-        if constexpr (may_start_nearer<TableA, TableB>) {
-            if (steps == known.far_off) {
-                const Start start = start_nearer_on_the_way(a, b);
-                known.moved_far = start == Start::nearer;
-                known.overlaps = start == Start::overlaps;
-                guard = CycleGuard(a.feature, b.feature);
-            }
+        if (steps == known.far_off) {
+            const Start start = start_nearer_on_the_way(a, b);
+            known.moved_far = start == Start::nearer;
+            known.overlaps = start == Start::overlaps;
+            guard = CycleGuard(a.feature, b.feature);
         }
         observer.visit(a.feature.kind(), b.feature.kind());
         if (overlaps_at(known, hardened, steps, a, b)) return ended({.status = Status::overlapping}, false);

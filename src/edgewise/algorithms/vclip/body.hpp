@@ -38,6 +38,12 @@ struct Body {
 /// Returns a different number for each pair of kinds.
 constexpr int pair_of(FeatureKind a, FeatureKind b) { return 3 * static_cast<int>(a) + static_cast<int>(b); }
 
+/// False for a face with an edge or a face: the closest points of bodies never need both.
+constexpr bool may_be_closest(FeatureKind a, FeatureKind b) {
+    using enum FeatureKind;
+    return (a != face || b == vertex) && (b != face || a == vertex);
+}
+
 /// A table that computes planes from corners when asked for.
 template <class Table>
 concept DerivesPlanes = requires {

@@ -119,7 +119,7 @@ struct ClosestPoints {
     Vec3<Scalar> normal = Vec3<Scalar>::Zero();  ///< from A to B where a face has it, else zero
 };
 
-/// Closest points of two features of a run that ended separated. Never face and face.
+/// Closest points of two features that may_be_closest.
 template <class TableA, class TableB>
 [[nodiscard]] ClosestPoints<ComputeOf<TableA>> closest_points(const Body<TableA>& a, const Body<TableB>& b) {
     using Scalar = ComputeOf<TableA>;
@@ -140,7 +140,7 @@ template <class TableA, class TableB>
                                                       segment_seen_by(a, b.table, b.feature.edge()));
         return {on_a, on_b};
     }
-    assert(a.feature.kind() == FeatureKind::vertex && "no two faces, and no edge over a face");
+    assert(may_be_closest(a.feature.kind(), b.feature.kind()));
     const Vec3<Scalar> vertex = a.table.vertex(a.feature.vertex());
     if (b.feature.kind() == FeatureKind::edge) {
         return {vertex, closest_on_segment(segment_seen_by(a, b.table, b.feature.edge()), vertex)};

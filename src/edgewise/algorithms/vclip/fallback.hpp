@@ -142,11 +142,7 @@ template <class Kept, class TableA, class TableB>
 /// Answers by corners of both features, which then stay; false if that is not proven.
 template <class TableA, class TableB>
 [[nodiscard]] bool answer_by_corners(const Body<TableA>& a, const Body<TableB>& b, Distance& answer) {
-    const auto is_no_state = [](FeatureKind kind, FeatureKind other) {
-        return kind == FeatureKind::face && other != FeatureKind::vertex;
-    };
-    if (is_no_state(a.feature.kind(), b.feature.kind()) || is_no_state(b.feature.kind(), a.feature.kind()))
-        return false;
+    if (!may_be_closest(a.feature.kind(), b.feature.kind())) return false;
     return ask_kept_simplex(a.table, b.table, a.from_other, [&](auto& kept) {
         if (!rests_on_features(kept, a, b) || !kept.is_proven({})) return false;
         answer = gjk_answer(kept, kept.closest(), Status::separated, 0);

@@ -54,10 +54,6 @@ inline constexpr int steps_before_search_of_boxes = 2;
 template <class TableA, class TableB>
 inline constexpr bool have_seeds = SeededTable<TableA>&& SeededTable<TableB>;
 
-/// True if both tables can find support points.
-template <class TableA, class TableB>
-inline constexpr bool may_start_nearer = ClimbingTable<TableA>&& ClimbingTable<TableB>;
-
 /// Returns true if the features are those of a cold start; a warm pair almost never has them.
 template <class TableA, class TableB>
 [[nodiscard]] bool start_is_cold(const Body<TableA>& a, const Body<TableB>& b) {
@@ -130,19 +126,15 @@ struct Outlook {
 
 /// Moves a pair that starts cold, or moved far before, to a nearer start.
 template <class TableA, class TableB>
-[[nodiscard]] Outlook start_nearer_if_far([[maybe_unused]] Body<TableA>& a, [[maybe_unused]] Body<TableB>& b,
-                                          [[maybe_unused]] FirstTry first) {
-    if constexpr (may_start_nearer<TableA, TableB>) {
-        const bool is_cold = start_is_cold(a, b);
-        if (is_cold || first == FirstTry::nearer_start) {
-            const Start start = start_nearer(a, b);
-            if (start == Start::overlaps) return {.overlaps = true};
-            if (start == Start::nearer && !is_cold) return {.moved_far = true};
-        }
-        if (!is_cold && are_searched(a.table, b.table))
-            return {1 + (are_boxes<TableA, TableB> ? steps_before_search_of_boxes : steps_before_search)};
+[[nodiscard]] Outlook start_nearer_if_far(Body<TableA>& a, Body<TableB>& b, FirstTry first) {
+    const bool is_cold = start_is_cold(a, b);
+    if (is_cold || first == FirstTry::nearer_start) {
+        const Start start = start_nearer(a, b);
+        if (start == Start::overlaps) return {.overlaps = true};
+        if (start == Start::nearer && !is_cold) return {.moved_far = true};
     }
-    return {};
+    if (is_cold || !are_searched(a.table, b.table)) return {};
+    return {1 + (are_boxes<TableA, TableB> ? steps_before_search_of_boxes : steps_before_search)};
 }
 
 /// A run that has moved far looks for a nearer start where its walk would be long. None: it is at the
