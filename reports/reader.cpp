@@ -299,16 +299,7 @@ std::string scene_sentence(const ReportCell& cell) {
                                                                  : "one shared table");
 }
 
-namespace {
-
-constexpr double classes_per_decade = 2;
-
-/// Returns the nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
-double class_of(double turn) {
-    return std::pow(10, std::round(classes_per_decade * std::log10(turn)) / classes_per_decade);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string Coherence::text() const {
     if (start == Start::fresh) return kind + ", every pair new";
@@ -323,7 +314,9 @@ std::optional<Coherence> coherence_of(const ReportCell& cell) {
     if (parameter_of(cell, "random_orientation") == 1) return Coherence{Coherence::Start::random, 0, kind};
     const auto turn = parameter_of(cell, "rotation_step");
     if (!turn || !(*turn >= 0)) return std::nullopt;
-    return Coherence{Coherence::Start::turned, *turn == 0 ? 0 : class_of(*turn), kind};
+    // The nearest power of the root of ten: 0.001, 0.0032, 0.01 ...
+    const double nearest = *turn == 0 ? 0 : std::pow(10, std::round(2 * std::log10(*turn)) / 2);
+    return Coherence{Coherence::Start::turned, nearest, kind};
 }
 
 double distance_from_class(const ReportCell& cell, const Coherence& coherence) {

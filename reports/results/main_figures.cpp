@@ -67,8 +67,6 @@ std::vector<const store::FigureInfo*> vocabulary() {
     return all;
 }
 
-bool is_family(std::string_view key) { return key.find('{') != std::string_view::npos; }
-
 /// The family with * for each pair of braces.
 std::string pattern_of(std::string_view family) {
     std::string pattern;
@@ -87,7 +85,7 @@ struct MainFigures {
 
     MainFigures() {
         for (std::size_t i = 0; i < infos.size(); ++i) {
-            if (!is_family(infos[i]->key)) plain.emplace(infos[i]->key, i);
+            if (infos[i]->key.find('{') == std::string_view::npos) plain.emplace(infos[i]->key, i);
             for (const std::string_view family : main_families)
                 if (infos[i]->key == family) families.emplace_back(pattern_of(family), i);
         }

@@ -20,10 +20,6 @@ namespace edgewise::reports {
 
 namespace {
 
-bool is_component(const store::FigureRow& figure) {
-    return figure.probe == "bytes" && figure.unit == "B/edge" && !figure.name.ends_with("_bytes_per_edge");
-}
-
 const FigureColumn total_columns[] = {{"total", "bytes.total_bytes_per_edge"},
                                       {"paper's subtotal (slope)", "bytes.paper_bytes_per_edge"},
                                       {"total (slope)", "bytes.slope_bytes_per_edge"},
@@ -53,7 +49,9 @@ std::vector<std::string> byte_components(const ReportData& data) {
     std::set<std::string> present;
     for (const ReportCell* cell : data.swept())
         for (const store::FigureRow& figure : cell->figures)
-            if (is_component(figure)) present.insert(figure.name);
+            if (figure.probe == "bytes" && figure.unit == "B/edge" &&
+                !figure.name.ends_with("_bytes_per_edge"))
+                present.insert(figure.name);
     std::erase_if(order, [&](const std::string& name) { return present.erase(name) == 0; });
     order.insert(order.end(), present.begin(), present.end());
     return order;

@@ -66,10 +66,6 @@ ChapterPart own_part(const ReportData& data) {
     return part;
 }
 
-bool has_paper_scene(const ReportData& data) {
-    return std::ranges::any_of(data.scene_files, [](const auto& file) { return is_of_paper(file.first); });
-}
-
 void add_part(ChapterPart part, const std::vector<Chart>& charts, std::vector<ChapterBlock>& blocks) {
     const auto without_rows = [](const TextGrid& grid) { return grid.rows.empty(); };
     std::erase_if(part.grids, without_rows);
@@ -103,9 +99,10 @@ std::vector<Chapter> paper_chapters(const ReportData& data, const std::vector<Ch
     Chapter own{"own", "Your own scenes", {}, {}, "Your scenes"};
     add_part(own_part(data), charts, own.blocks);
     if (!own.blocks.empty()) chapters.push_back(std::move(own));
-    chapters.push_back(has_paper_scene(data)
-                           ? paper_chapter(data, charts)
-                           : Chapter{"paper", paper_title, prose("no_paper.md"), {}, "The paper"});
+    const bool has_scenes =
+        std::ranges::any_of(data.scene_files, [](const auto& file) { return is_of_paper(file.first); });
+    chapters.push_back(has_scenes ? paper_chapter(data, charts)
+                                  : Chapter{"paper", paper_title, prose("no_paper.md"), {}, "The paper"});
     return chapters;
 }
 

@@ -202,10 +202,6 @@ Chart paper_complexity_chart(const ReportData& data) {
 
 namespace {
 
-bool all_positive(const ChartJson& values) {
-    return std::ranges::all_of(values, [](const ChartJson& row) { return row["place"].get<double>() > 0; });
-}
-
 /// Returns a cell's place on the axis; null, and counted, if its scene does not name it.
 ChartJson own_place(const StoredScene& scene, const ReportCell& cell, Omissions& omitted) {
     const auto at = scene.place(cell);
@@ -234,9 +230,10 @@ Chart chart_of(const ReportData& data, const StoredScene& scene, const std::stri
     ChartRows rows;
     add_timed_rows(rows, scene.cells,
                    [&](const ReportCell& cell) { return own_place(scene, cell, rows.omitted); });
-    const ChartJson slots{
-        {"axis_title", axis},
-        {"scale_of_places", chart.file["scales"][all_positive(rows.values) ? "log" : "linear"]}};
+    const bool is_positive =
+        std::ranges::all_of(rows.values, [](const ChartJson& row) { return row["place"].get<double>() > 0; });
+    const ChartJson slots{{"axis_title", axis},
+                          {"scale_of_places", chart.file["scales"][is_positive ? "log" : "linear"]}};
     return drawn_chart(std::move(chart), data, std::move(rows), slots);
 }
 

@@ -197,10 +197,6 @@ void take_verdict(const Findings& findings, Claim& claim) {
     }
 }
 
-std::string of_variant(const std::string& name, const Claim& claim) {
-    return fmt::format("{} {}{}", name, claim.verdict, claim.reason.empty() ? "" : " (" + claim.reason + ")");
-}
-
 }  // namespace
 
 WantedBand at_least(double bound) { return {bound, infinity, "at least " + bound_text(bound)}; }
@@ -241,7 +237,11 @@ Claim judge_variants(const std::string& id, const std::string& assumption,
     for (std::size_t i = 0; i < claims.size(); ++i) {
         if (!claims[i].ours.empty())
             append(claim.ours, fmt::format("{}: {}", variants[i].name, claims[i].ours), "; ");
-        append(reasons, of_variant(variants[i].name, claims[i]), "; ");
+        const std::string& why = claims[i].reason;
+        append(
+            reasons,
+            fmt::format("{} {}{}", variants[i].name, claims[i].verdict, why.empty() ? "" : " (" + why + ")"),
+            "; ");
     }
     const auto all_are = [&](const auto& property) {
         return std::ranges::all_of(

@@ -40,10 +40,6 @@ std::string rectangle(int x, int y, int width, int height, std::string_view fill
                        height, fill);
 }
 
-std::string_view colour_of(Component component) {
-    return store::component_colour(component_names[static_cast<std::size_t>(component)]);
-}
-
 /// Bytes of one component, side by side.
 struct Run {
     std::size_t offset, bytes;
@@ -92,9 +88,10 @@ std::string on_line(std::size_t offset, int width, std::string_view fill) {
 std::string run_on_lines(const Run& run, std::size_t lines) {
     std::string body;
     const std::size_t end = std::min(run.offset + run.bytes, lines * line_bytes);
+    const auto colour = store::component_colour(component_names[static_cast<std::size_t>(run.component)]);
     for (std::size_t at = run.offset, next = 0; at < end; at = next) {
         next = std::min(end, (at / line_bytes + 1) * line_bytes);
-        body += on_line(at, static_cast<int>(next - at) * byte_width, colour_of(run.component));
+        body += on_line(at, static_cast<int>(next - at) * byte_width, colour);
     }
     if (run.starts_element && run.offset < end) body += on_line(run.offset, 1, "#000");
     return body;

@@ -31,8 +31,6 @@ std::string rate(double per_second) {
     return fmt::format("{:.1f} k", per_second * 1e-3);
 }
 
-double seconds_of(const FamilyTally& family) { return family.making_s + family.asking_s + family.proving_s; }
-
 std::uint64_t proofs_of(const FamilyTally& family) {
     return family.double_proofs + family.wide_proofs + family.exact_proofs;
 }
@@ -43,7 +41,7 @@ std::string vertices_of(const FamilyTally& family) {
 }
 
 void add_family(reports::TextGrid& grid, const std::string& name, const FamilyTally& family) {
-    const double pairs = count(family.pairs), seconds = seconds_of(family);
+    const double pairs = count(family.pairs), seconds = family.making_s + family.asking_s + family.proving_s;
     const auto share = [&](std::uint64_t n) {
         return fmt::format("{:.3f}", 100 * per(count(n), count(proofs_of(family))));
     };

@@ -141,10 +141,6 @@ Json list_scene_files() {
     });
 }
 
-Json list_of_shapes() { return scene::list_shapes(); }
-
-Json list_families() { return scene::hard_families(); }
-
 /// Each as the file that it could be.
 Json list_machines() {
     return json_rows(measure::cache_machines(), [](const measure::CacheMachine& machine) {
@@ -201,9 +197,9 @@ const std::map<std::string, List>& lists() {
         {"probes", {list_probes, "probe = name|what it measures = summary"}},
         {"algorithms", {list_algorithms, "algorithm = name|needs|what it is = summary"}},
         {"scenes", {list_of_scenes, "", scenes_text}},
-        {"shapes", {list_of_shapes, "shape = name|#vertices|#edges|#faces"}},
+        {"shapes", {[] { return Json(scene::list_shapes()); }, "shape = name|#vertices|#edges|#faces"}},
         {"plans", {list_plans, "", plans_text}},
-        {"families", {list_families, "family = name|varies|breaks"}},
+        {"families", {[] { return Json(scene::hard_families()); }, "family = name|varies|breaks"}},
         {"axes", {list_axes, "axis = name|values|meaning"}},
         {"machines", {list_machines, "", machines_text}},
         {"scene_files", {list_scene_files, "scene file = name|what it is for = note"}},

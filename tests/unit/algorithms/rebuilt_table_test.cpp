@@ -100,10 +100,10 @@ TEST(RebuiltTable, ATableNeedsItsBodyNoMore) {
 }
 
 // Classes that borrow a table or a body take no temporary.
-using Table = aos<f64>;
-using Near = NearPair<VClip, Table, Table>;
-static_assert(std::is_constructible_v<Near, Table&, Table&> && !std::is_constructible_v<Near, Table&, Table>);
-static_assert(!std::is_constructible_v<ScaledTable<Table>, Table, Vec3d>);
+using Aos = aos<f64>;
+using Near = NearPair<VClip, Aos, Aos>;
+static_assert(std::is_constructible_v<Near, Aos&, Aos&> && !std::is_constructible_v<Near, Aos&, Aos>);
+static_assert(!std::is_constructible_v<ScaledTable<Aos>, Aos, Vec3d>);
 static_assert(!std::is_constructible_v<Canonical, Polyhedron>);
 static_assert(!std::is_constructible_v<lazy<f64>, Polyhedron, Parts>);
 

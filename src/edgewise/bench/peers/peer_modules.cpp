@@ -68,7 +68,6 @@ std::size_t heap_in_use() {
 }
 
 bool computes_in_single(const peers::PeerInfo& info) { return std::string_view(info.precision) == "f32"; }
-bool stores_single(const peers::PeerInfo& info) { return std::string_view(info.precision) != "f64"; }
 
 /// In A's frame, where Edgewise answers.
 Distance distance_of(const peers::PeerAnswer& answer, const Pose& pose_a) {
@@ -202,7 +201,8 @@ BuildTimes PeerRunner::build_times(int repetitions) const {
 }
 
 Result<Polyhedron> PeerRunner::store(const Polyhedron& body) const {
-    return stores_single(info_) ? round_to_single(body) : Result<Polyhedron>::success(body);
+    const bool stores_double = std::string_view(info_.precision) == "f64";
+    return stores_double ? Result<Polyhedron>::success(body) : round_to_single(body);
 }
 
 void PeerRunner::build_tables(const std::vector<const Polyhedron*>& bodies) {

@@ -23,10 +23,6 @@ Pair stacked(Maker& maker, CaseBody a, CaseBody b, const Mat3d& common, const Ma
     return at(std::move(a), std::move(b), common, multiply(common, tilt), multiply(common, lateral));
 }
 
-Vec3d tilt_axis(Maker& maker) {
-    return maker.pick({Vec3d(1, 0.5, 3), Vec3d(1, 1, 1), Vec3d(1, 0, 1), Vec3d(1, 0, 0), Vec3d(0, 1, 0)});
-}
-
 int finest(const Maker& maker) { return maker.single() ? -30 : -60; }
 
 }  // namespace
@@ -43,8 +39,9 @@ Pair near_parallel_faces(Maker& maker) {
     CaseBody a{"a", box_or_prism(maker), {}}, b{"b", box_or_prism(maker), {}};
     const Mat3d common = maker.common_rotation();
     const double gap = (maker.rng.below(3) == 0 ? -1 : 1) * maker.spread(-40, -4);
-    return at_gap(maker, std::move(a), std::move(b), common,
-                  multiply(common, Maker::turn(tilt_axis(maker), tilt)), gap);
+    const Vec3d axis =
+        maker.pick({Vec3d(1, 0.5, 3), Vec3d(1, 1, 1), Vec3d(1, 0, 1), Vec3d(1, 0, 0), Vec3d(0, 1, 0)});
+    return at_gap(maker, std::move(a), std::move(b), common, multiply(common, Maker::turn(axis, tilt)), gap);
 }
 
 Pair near_parallel_edges(Maker& maker) {

@@ -104,10 +104,6 @@ class TracedScenes {
     std::vector<MemoryDemand> demands_;
 };
 
-bench::Sharing sharing_of(bool shared) {
-    return shared ? bench::Sharing::shared : bench::Sharing::per_instance;
-}
-
 MemoryDemand checked(MemoryDemand demand) {
     if (!demand.reason.empty()) throw std::runtime_error(demand.reason);
     return demand;
@@ -122,9 +118,10 @@ void trace_all(const Levels& levels, const MemorySizes& sizes, TracedScenes& sce
         const double angle = speeds[key.speed] * levels.time_steps[key.time_step];
         const scene::Workload workload = workload_of({shapes[key.shape], levels.bodies[key.bodies], angle,
                                                       0.02, levels.steps, levels.seed_of(key.speed)});
-        scenes.at(key) = checked(trace_demand(bench::table_type_called(levels.tables[key.table]),
-                                              algorithms[key.algorithm], workload,
-                                              sharing_of(levels.shared[key.shared]), sizes, levels.filling));
+        scenes.at(key) = checked(trace_demand(
+            bench::table_type_called(levels.tables[key.table]), algorithms[key.algorithm], workload,
+            levels.shared[key.shared] ? bench::Sharing::shared : bench::Sharing::per_instance, sizes,
+            levels.filling));
         const std::lock_guard lock(notified);
         on_trace();
     });

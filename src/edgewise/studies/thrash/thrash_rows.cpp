@@ -180,13 +180,12 @@ Levels levels_of(const sweep::SweepWork& work) {
     return levels;
 }
 
-/// Returns true if this program has the table types of the levels.
-bool has_tables(const Levels& levels) { return std::ranges::all_of(levels.tables, bench::find_table_type); }
-
-/// Returns the number of scenes to trace and of cells to make real.
+/// Returns the number of scenes to trace and of cells to make real; none without the levels' table types.
 std::size_t rows(const sweep::SweepWork& work) {
     const Levels levels = levels_of(work);
-    return has_tables(levels) ? scenes_to_trace(levels) + realised_cells : 0;
+    return std::ranges::all_of(levels.tables, bench::find_table_type)
+               ? scenes_to_trace(levels) + realised_cells
+               : 0;
 }
 
 /// Traces, scores, makes the best cells real and stores all of it, unless the build's rows are there.
