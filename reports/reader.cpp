@@ -299,8 +299,6 @@ std::string scene_sentence(const ReportCell& cell) {
                                                                  : "one shared table");
 }
 
-namespace {}  // namespace
-
 std::string Coherence::text() const {
     if (start == Start::fresh) return kind + ", every pair new";
     if (start == Start::random) return kind + ", random turns";
