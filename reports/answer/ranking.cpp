@@ -265,16 +265,12 @@ Known fast_ones(const std::vector<SceneRanking>& scenes) {
     return fast;
 }
 
-bool is_small(const RankedCell& one) {
-    return one.bytes_per_edge && *one.bytes_per_edge <= small_bytes_per_edge;
-}
-
 void find_missing(SceneRanking& scene, const Known& fast) {
     for (const char* const algorithm : both_algorithms) {
         bool has_small = false, has_fast = false;
         for (const RankedCell& one : scene.cells) {
             if (one.cell->algorithm != algorithm) continue;
-            has_small = has_small || is_small(one);
+            has_small |= one.bytes_per_edge && *one.bytes_per_edge <= small_bytes_per_edge;
             has_fast = has_fast || fast.contains({scene.shape, algorithm, one.table});
         }
         const std::string name = algorithm_title(algorithm);

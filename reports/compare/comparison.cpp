@@ -28,10 +28,6 @@ std::string key_of(const ReportCell& cell) {
                        cell.table);
 }
 
-std::string title_of(const ReportCell& cell) {
-    return fmt::format("{} {} {} {}", cell.scene_label, cell.shape, cell.algorithm, cell.table);
-}
-
 /// Figures compared exactly: costs that a layout or an algorithm decides, each less when it is better.
 constexpr store::FigureName exact_costs[] = {
     "error.mean_steps",           "error.fallbacks",        "lines.lines_per_query", "lines.reads_per_query",
@@ -123,7 +119,9 @@ void explain_times(measure::RecordComparison& found) {
 void name_cells(measure::RecordComparison& found, const ReportData& before, const ReportData& after) {
     std::map<std::string, std::string> titles;
     for (const ReportData* data : {&after, &before})
-        for (const ReportCell* cell : data->swept()) titles.emplace(key_of(*cell), title_of(*cell));
+        for (const ReportCell* cell : data->swept())
+            titles.emplace(key_of(*cell), fmt::format("{} {} {} {}", cell->scene_label, cell->shape,
+                                                      cell->algorithm, cell->table));
     for (ComparedRow& row : found.rows) row.was.cell = row.is.cell = titles.at(row.is.cell);
 }
 

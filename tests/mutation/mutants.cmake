@@ -18,7 +18,7 @@ edgewise_mutant(flat_corners_count_as_turns geometry/strictly_convex.cpp [[dot(f
     StrictlyConvex.* ${unit}/geometry/flat_hull_test.cpp)
 
 # Table
-edgewise_mutant(least_violated_plane table/ring_questions.hpp [[if (d < least) {]] [[if (d < 0) {]]
+edgewise_mutant(least_violated_plane table/ring_questions.hpp [[if (d < least) worst]] [[if (d < 0) worst]]
     RingQuestions* ${unit}/table/ring_questions_test.cpp)
 edgewise_mutant(descent_ignores_flip table/ring_questions.hpp [[flipped ? -along : along]] [[flipped ? along : along]]
     RingQuestions* ${unit}/table/ring_questions_test.cpp)
@@ -83,7 +83,9 @@ edgewise_mutant(inward_edges_are_climbed geometry/strictly_convex.cpp [[return d
     StrictlyConvex.* ${unit}/geometry/flat_hull_test.cpp)
 edgewise_mutant(seeds_of_the_other_side layout_parts/seed_directions.hpp [[static_cast<int>(x > least) - static_cast<int>(x < -least)]] [[static_cast<int>(x < -least) - static_cast<int>(x > least)]]
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
-edgewise_mutant(thin_sides_derived_plainly layout_parts/derived/thin_corners.hpp [[if (corner.is_fair()) return perpendicular(along, aside);]] [[return perpendicular(along, aside);]]
+edgewise_mutant(thin_sides_derived_plainly layout_parts/derived/thin_corners.hpp [[return plain - dot(along, plain) / squared_norm(along) * along;]] [[return plain;]]
+    ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
+edgewise_mutant(thinnest_sides_derived_plainly layout_parts/derived/thin_corners.hpp [[Tolerance<Scalar>::tilting_corner * most]] [[0]]
     ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
 edgewise_mutant(thin_corners_overlooked layout_parts/derived/thin_corners.hpp [[if (is_thin(f)) return true;]] [[if (is_thin(f)) return false;]]
     ThinCorners* ${unit}/layout_parts/thin_corners_test.cpp)
@@ -128,7 +130,7 @@ edgewise_mutant(features_of_old_tables_are_followed algorithms/vclip/feature_pai
     RebuiltTable.* ${unit}/algorithms/rebuilt_table_test.cpp)
 
 # V-Clip
-edgewise_mutant(flat_ends_are_proven algorithms/vclip/trust.hpp [[return ends_at_feature(a, towards_b, size) &&]] [[return true || ends_at_feature(a, towards_b, size) &&]]
+edgewise_mutant(flat_ends_are_proven algorithms/vclip/trust.hpp [[return body_ends_here(a, towards_b, size) &&]] [[return true || body_ends_here(a, towards_b, size) &&]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(level_neighbours_are_lower algorithms/vclip/trust.hpp [[!(dot(down, direction) > band)]] [[!(dot(down, direction) >= -band)]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)

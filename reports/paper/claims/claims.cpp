@@ -42,11 +42,6 @@ std::string claims_json(const ReportData& data, const std::vector<Claim>& claims
 
 constexpr const char* not_measured = "not measured";
 
-/// A verdict with its number of a footnote where nothing was measured, as in every other table.
-GridCell verdict_cell(const Claim& claim) {
-    return claim.verdict == not_measured ? missing_cell(claim.reason) : GridCell{claim.verdict};
-}
-
 /// How many claims there is nothing of, which, and what to do. Empty where all were measured.
 std::string what_is_missing(const std::vector<Claim>& claims) {
     std::string names;
@@ -145,7 +140,9 @@ TextGrid claims_grid(const ReportData& data) {
     grid.shown_rows = claims.size();
     for (const Claim& claim : claims) {
         const bool measured = claim.verdict != not_measured;
-        grid.add(claim.kind, claim.section, claim.claim, claim.paper, claim.ours, verdict_cell(claim),
+        // Where nothing was measured, a verdict has its number of a footnote, as in every other table.
+        grid.add(claim.kind, claim.section, claim.claim, claim.paper, claim.ours,
+                 measured ? GridCell{claim.verdict} : missing_cell(claim.reason),
                  measured ? claim.reason : "", claim.rule, claim.conditions);
     }
     return grid;

@@ -39,12 +39,6 @@ std::string record_text(const ExportArguments& options) {
     return to_json(reports::modelled_record(data, measure::described_machines({options.modelled}).front()));
 }
 
-/// Plain cells of built-in scenes and bodies can be made again from what the store says.
-bool can_be_traced(const reports::ReportCell& cell) {
-    return cell.run == store::sweep_run && cell.verified() && cell.axes.empty() && cell.scene_kind.empty() &&
-           cell.shape_source == "built-in";
-}
-
 studies::CellChoice choice_of(const reports::ReportCell& cell) {
     return {.table = cell.table,
             .algorithm = cell.algorithm,
@@ -78,8 +72,11 @@ std::string callgrind_text(const ExportArguments& options) {
     const auto machines = measure::described_machines(options.machines.empty() ? usual : options.machines);
     measure::DataProfile profile(machines);
     const reports::ReportData data = reports::read_report(options.store);
+    // Plain cells of built-in scenes and bodies can be made again from what the store says.
     for (const reports::ReportCell* cell : reports::chosen_cells(data, options.choice))
-        if (can_be_traced(*cell)) add_cell(*cell, profile);
+        if (cell->run == store::sweep_run && cell->verified() && cell->axes.empty() &&
+            cell->scene_kind.empty() && cell->shape_source == "built-in")
+            add_cell(*cell, profile);
     if (profile.is_empty())
         throw std::runtime_error("no chosen cell is a verified plain one of a built-in scene and body");
     if (options.out.empty()) return profile.text(bench::step_names());

@@ -13,49 +13,6 @@
 
 namespace edgewise {
 
-/// Returns the edge of the ring with the most negative distance, the first of equals; nothing if none is.
-template <class Table, class Ring, class DistanceOf>
-[[nodiscard]] std::optional<typename Table::Edge> most_violated(const Ring& ring, DistanceOf distance_of) {
-    std::optional<typename Table::Edge> worst;
-    ComputeOf<Table> least = 0;
-    for (const auto [edge, flipped] : ring) {
-        const ComputeOf<Table> d = distance_of(edge, flipped);
-        if (d < least) {
-            least = d;
-            worst = edge;
-        }
-    }
-    return worst;
-}
-
-/// Returns the edge with the vertex-edge plane that the point violates most (the steepest way out of the
-/// vertex's region), or nothing when the point is inside the region.
-template <FeatureTable Table>
-[[nodiscard]] std::optional<typename Table::Edge> most_violated_vertex_plane(
-    const Table& table, typename Table::Vertex v, const Vec3<ComputeOf<Table>>& point) {
-    if constexpr (requires { table.most_violated_vertex_plane(v, point); }) {
-        return table.most_violated_vertex_plane(v, point);
-    } else {
-        return most_violated<Table>(table.ring_of_vertex(v), [&](auto edge, bool flipped) {
-            return table.vertex_edge_plane(edge, flipped ? End::head : End::tail).distance(point);
-        });
-    }
-}
-
-/// Returns the edge with the edge-face plane that the point violates most; nothing inside the face's prism.
-/// The maximum matters here: at an obtuse corner the first violated plane may be of the wrong edge.
-template <FeatureTable Table>
-[[nodiscard]] std::optional<typename Table::Edge> most_violated_face_side(
-    const Table& table, typename Table::Face f, const Vec3<ComputeOf<Table>>& point) {
-    if constexpr (requires { table.most_violated_face_side(f, point); }) {
-        return table.most_violated_face_side(f, point);
-    } else {
-        return most_violated<Table>(table.ring_of_face(f), [&](auto edge, bool flipped) {
-            return table.edge_face_plane(edge, flipped ? Side::right : Side::left).distance(point);
-        });
-    }
-}
-
 /// Edge with this name in the ring of a vertex; the name is its handle, or a place in the ring.
 template <FeatureTable Table>
 [[nodiscard]] typename Table::Edge edge_in_ring(const Table& table, typename Table::Vertex v,
@@ -100,6 +57,48 @@ requires requires { typename Table::RingName; }
 struct RingNameOf<Table> {
     using Type = typename Table::RingName;
 };
+
+/// Name of the plane that the point violates most, the first of equals; nothing if it violates none.
+/// `visit_all(visit)` calls visit(name, plane) for each.
+template <class Name, class Scalar, class VisitAll>
+[[nodiscard]] std::optional<Name> most_violated(const Vec3<Scalar>& point, VisitAll visit_all) {
+    Name worst{};
+    Scalar least = 0;
+    visit_all([&](const Name& name, const auto& plane) {
+        const Scalar d = plane.distance(point);
+        if (d < least) worst = name;
+        least = d < least ? d : least;
+        return true;
+    });
+    return least < 0 ? std::optional(worst) : std::nullopt;
+}
+
+/// Returns the edge with the vertex-edge plane that the point violates most (the steepest way out of the
+/// vertex's region), or nothing when the point is inside the region.
+template <FeatureTable Table>
+[[nodiscard]] std::optional<typename Table::Edge> most_violated_vertex_plane(
+    const Table& table, typename Table::Vertex v, const Vec3<ComputeOf<Table>>& point) {
+    if constexpr (requires { table.most_violated_vertex_plane(v, point); }) {
+        return table.most_violated_vertex_plane(v, point);
+    } else {
+        const auto name = most_violated<typename RingNameOf<Table>::Type>(
+            point, [&](auto visit) { visit_vertex_planes(table, v, visit); });
+        return name ? std::optional(edge_in_ring(table, v, *name)) : std::nullopt;
+    }
+}
+
+/// Returns the edge with the edge-face plane that the point violates most; nothing inside the face's prism.
+/// The maximum matters here: at an obtuse corner the first violated plane may be of the wrong edge.
+template <FeatureTable Table>
+[[nodiscard]] std::optional<typename Table::Edge> most_violated_face_side(
+    const Table& table, typename Table::Face f, const Vec3<ComputeOf<Table>>& point) {
+    if constexpr (requires { table.most_violated_face_side(f, point); }) {
+        return table.most_violated_face_side(f, point);
+    } else {
+        return most_violated<typename Table::Edge>(point,
+                                                   [&](auto visit) { visit_face_sides(table, f, visit); });
+    }
+}
 
 /// The face's plane for signs and ratios of heights: the length of its normal is arbitrary.
 template <FeatureTable Table>

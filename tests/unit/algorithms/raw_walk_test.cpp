@@ -107,7 +107,7 @@ Ends ends_of(const Polyhedron& body, double allowed) {
         const auto into_a = cast<ComputeOf<Table>>(a_from_b), into_b = into_a.inverse();
         const auto end = pair.start(table, table);
         const vclip::Body<Table> a{table, into_a, end.a}, b{table, into_b, end.b};
-        if (!vclip::end_at_features(raw, vclip::pair_size(a, b), a, b)) continue;
+        if (!vclip::both_end_here(raw, vclip::pair_size(a, b), a, b)) continue;
         ++ends.proven;
         ends.worst = std::max(ends.worst, error);
     }

@@ -93,8 +93,8 @@ template <class TableA, class TableB>
 /// Returns true if the body provably ends at its feature along a direction, which is off by the rounding of
 /// `size`: at a face, since it is convex; at an edge or a vertex whose neighbours are clearly lower.
 template <class Table>
-[[nodiscard]] bool ends_at_feature(const Body<Table>& body, const Vec3<ComputeOf<Table>>& direction,
-                                   double size) {
+[[nodiscard]] bool body_ends_here(const Body<Table>& body, const Vec3<ComputeOf<Table>>& direction,
+                                  double size) {
     using Scalar = ComputeOf<Table>;
     const Table& table = body.table;
     if (table.strictly_convex()) return true;
@@ -118,13 +118,12 @@ template <class Table>
 /// over that with a proof by support points (fallback.hpp), aos_f64 / aos_f32, 0.01 rad per step: mesh of 137
 /// vertices 0.58 / 0.61, of 364 0.61 / 0.53; sphere of 1538 (strictly convex in double) 1.0 / 0.59.
 template <class TableA, class TableB>
-[[nodiscard]] [[gnu::noinline]] bool end_at_features(const Distance& result, double size,
-                                                     const Body<TableA>& a, const Body<TableB>& b) {
+[[nodiscard]] [[gnu::noinline]] bool both_end_here(const Distance& result, double size, const Body<TableA>& a,
+                                                   const Body<TableB>& b) {
     const std::optional<Vec3d> normal = known_normal(result, a, b);
     if (normal) size = 1;
     const auto towards_b = cast<ComputeOf<TableA>>(normal ? *normal : Vec3d(result.point_b - result.point_a));
-    return ends_at_feature(a, towards_b, size) &&
-           ends_at_feature(b, b.from_other.direction(-towards_b), size);
+    return body_ends_here(a, towards_b, size) && body_ends_here(b, b.from_other.direction(-towards_b), size);
 }
 
 /// Decides about any answer. On a body that is not strictly convex a feature's region continues under the
@@ -139,7 +138,7 @@ template <class TableA, class TableB>
     }
     const double size = pair_size(a, b);
     const bool is_far = result.distance > untrusted<TableA, TableB> * size;
-    if (!is_proven && !end_at_features(result, size, a, b)) return is_far ? Trust::doubted : Trust::close;
+    if (!is_proven && !both_end_here(result, size, a, b)) return is_far ? Trust::doubted : Trust::close;
     return is_far ? Trust::sound : trust_close(result, size, a, b);
 }
 

@@ -143,19 +143,17 @@ class DerivedEnds : public DerivedPlanes<Points, P, Loader, RingPlaces> {
         }
         return within;
     }
-    /// Reads all corners of a face in order, from its first; none if it has too many. The ring of the first
-    /// corner knows the last one: the way around ends there.
+    /// Reads all corners of a face in order, from its first; none if it has too many.
     [[nodiscard]] std::size_t read_corners(const Face& f,
                                            std::array<Vec3<Compute>, most_corners>& corners) const {
-        const Index last = this->corners_of(f).third;
-        corners[0] = vertex(f.vertex);
-        HalfEdgeAt h = f;
-        for (std::size_t count = 1; count < corners.size(); h = this->next(h)) {
-            const Index to = rings().neighbour(loader_, h.vertex, h.at);
-            corners[count++] = vertex(to);
-            if (to == last) return count;
-        }
-        return 0;
+        std::size_t count = 0;
+        bool fits = true;
+        this->visit_sides(f, [&](const DerivedSide& side) {
+            fits = count < most_corners;
+            if (fits) corners[count++] = vertex(side.from);
+            return fits;
+        });
+        return fits ? count : 0;
     }
 };
 

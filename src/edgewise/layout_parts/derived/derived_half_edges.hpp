@@ -35,25 +35,15 @@ struct HalfEdgeAt {
 /// A face, by the first half-edge of its ring.
 using DerivedFace = HalfEdgeAt;
 
-/// The smallest half-edge of a face, by edges and then tail first, from any of them: head(h) is the end of a
-/// half-edge, next(h) the next half-edge around the face.
-template <class Head, class Next>
-[[nodiscard]] DerivedFace first_of_face(const HalfEdgeAt& start, Head head, Next next) {
-    DerivedFace best = start;
-    Index best_low = 0xffffffff, best_high = 0xffffffff;
-    HalfEdgeAt h = start;
-    do {
-        const Index to = head(h);
-        const Index low = std::min(h.vertex, to), high = std::max(h.vertex, to);
-        if (low < best_low || (low == best_low && high < best_high)) {
-            best = h;
-            best_low = low;
-            best_high = high;
-        }
-        h = next(h);
-    } while (!(h == start));
-    return best;
-}
+/// A side of a face, from one corner to the next counter-clockwise, and its place in the ring of one of them.
+struct DerivedSide {
+    HalfEdgeAt known;
+    Index from, to;
+
+    [[nodiscard]] DerivedEdge edge() const {
+        return {std::min(from, to), std::max(from, to), known.at, known.vertex == std::max(from, to)};
+    }
+};
 
 /// The first wanted half-edge from here on, at vertices below `vertices`; last(v) is the end of v's ring, and
 /// the places of all rings follow each other. If there is none: vertex `vertices`, place 0.
@@ -151,6 +141,22 @@ class DerivedHalfEdges : public BlockTable<P, Loader, typename P::Compute> {
         const Index third_at = rings().after(loader_, h.vertex, h.at);
         return {h.vertex, rings().neighbour(loader_, h.vertex, h.at),
                 rings().neighbour(loader_, h.vertex, third_at), third_at};
+    }
+
+    /// Calls visit(side) around a face, from its first half-edge or any other, until it returns false. The
+    /// ring of the first corner knows the last one: a triangle takes one search.
+    template <class Visit>
+    void visit_sides(const HalfEdgeAt& first, Visit visit) const {
+        const Corners c = corners_of(first);
+        HalfEdgeAt h = first;
+        for (Index to = c.second; visit(DerivedSide{h, h.vertex, to});) {
+            if (to == c.third) {
+                visit(DerivedSide{{c.first, c.third_at}, c.third, c.first});
+                return;
+            }
+            h = next(h);
+            to = rings().neighbour(loader_, h.vertex, h.at);
+        }
     }
 
     /// The next half-edge around the face on the left: at its far end, clockwise from the way back.

@@ -101,25 +101,30 @@ class DerivedPlanes : public DerivedRings<P, Loader, RingPlaces> {
 
     [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> polygon_plane(const Face& f) const {
         const Vec3<Compute> base = vertex(f.vertex);
-        Vec3<Compute> normal = Vec3<Compute>::Zero(), before = Vec3<Compute>::Zero();
-        const auto corner_at = [&](const HalfEdgeAt& h) { return Vec3<Compute>(vertex(h.vertex) - base); };
-        for (const Vec3<Compute> corner : this->around(f, corner_at)) {
-            normal += cross(before, corner);
-            before = corner;
-        }
-        return {normal, base};
+        NewellSum<Compute> sum;
+        visit_corners(f, [&](const Vec3<Compute>& corner) { sum.add(Vec3<Compute>(corner - base)); });
+        return {sum.normal(), base};
     }
 
     /// Computes polygon_plane of any face, in the next wider arithmetic where that is needed.
     [[nodiscard]] [[gnu::noinline]] AnchoredPlane<Compute> plane_of_thin_face(const Face& f) const {
         const Vec3<Compute> base = vertex(f.vertex);
-        const auto corners = this->around(f, [&](const HalfEdgeAt& h) { return vertex(h.vertex); });
         PlainNewellSum<Compute> plain;
-        for (const Vec3<Compute> corner : corners) plain.add(Vec3<Compute>(corner - base));
+        visit_corners(f, [&](const Vec3<Compute>& corner) { plain.add(Vec3<Compute>(corner - base)); });
         if (plain.is_fair()) return {plain.normal(), base};
         NewellSum<Wider<Compute>> wide;
-        for (const Vec3<Compute> corner : corners) wide.add(wide_difference(corner, base));
+        visit_corners(f, [&](const Vec3<Compute>& corner) { wide.add(wide_difference(corner, base)); });
         return {cast<Compute>(wide.normal()), base};
+    }
+
+    /// Calls visit(corner) with the corners of a face but its first, in order.
+    template <class Visit>
+    void visit_corners(const Face& f, Visit visit) const {
+        this->visit_sides(f, [&](const DerivedSide& side) {
+            if (side.to == f.vertex) return false;
+            visit(vertex(side.to));
+            return true;
+        });
     }
 
     /// Plane through the edge from base to end, perpendicular to it, positive towards the other corner.

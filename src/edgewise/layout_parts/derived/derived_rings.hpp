@@ -85,7 +85,7 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
 
   protected:
     using Base::all_triangles, Base::around, Base::corners_of, Base::edge_at, Base::facts_, Base::from_head,
-        Base::from_tail, Base::half_edge_of, Base::loader_, Base::next, Base::rings;
+        Base::from_tail, Base::half_edge_of, Base::loader_, Base::rings, Base::visit_sides;
     using typename Base::Corners;
 
     DerivedRings(const Polyhedron& body, Parts parts, Loader loader) : Base(body, parts, loader) {}
@@ -108,9 +108,16 @@ class DerivedRings : public DerivedHalfEdges<P, Loader, RingPlaces> {
     /// The face on the left, for any face. Not inlined, like all ways around a whole face: a run of V-Clip
     /// inlines what it may, and each of their dozens of places would be hundreds of instructions.
     [[nodiscard]] [[gnu::noinline]] Face polygon_of(const HalfEdgeAt& h) const {
-        return first_of_face(
-            h, [this](const HalfEdgeAt& at) { return rings().neighbour(loader_, at.vertex, at.at); },
-            [this](const HalfEdgeAt& at) { return next(at); });
+        const auto is_before = [](const Edge& a, const Edge& b) {
+            return a.tail < b.tail || (a.tail == b.tail && a.head < b.head);
+        };
+        DerivedSide best{h, Edge::nowhere, Edge::nowhere};
+        visit_sides(h, [&](const DerivedSide& side) {
+            if (is_before(side.edge(), best.edge())) best = side;
+            return true;
+        });
+        if (best.known.vertex == best.from) return best.known;
+        return {best.from, rings().find(loader_, best.from, best.to)};
     }
 
     [[nodiscard]] Face triangle_of(const Corners& c, const HalfEdgeAt& h) const {

@@ -68,35 +68,6 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
         if (worst != last) result.edge = this->edge_at(v, worst).edge;
         return result;
     }
-    [[nodiscard]] std::optional<Edge> most_violated_vertex_plane(Vertex v, const Vec3<Compute>& point) const {
-        const Vec3<Compute> base = vertex(v);
-        const Vec3<Compute> from_base = point - base;
-        const Index first = rings().first(loader_, v), last = rings().last(loader_, v);
-        Index worst = last;
-        Compute least = 0;
-        for (Index at = first; at < last; ++at) {
-            const Vec3<Compute> backwards = base - vertex(rings().neighbour(loader_, v, at));
-            const Compute d = dot(backwards, from_base);
-            worst = d < least ? at : worst;
-            least = d < least ? d : least;
-        }
-        if (worst == last) return std::nullopt;
-        return this->edge_at(v, worst).edge;
-    }
-    [[nodiscard]] std::optional<Edge> most_violated_face_side(const Face& f,
-                                                              const Vec3<Compute>& point) const {
-        if (!this->all_triangles()) return violated_side_of_ring(f, point);
-        const auto c = this->corners_of(f);
-        const Vec3<Compute> first = vertex(c.first), second = vertex(c.second), third = vertex(c.third);
-        const Compute at_first = side_plane(c.first < c.second, first, second, third).distance(point);
-        const Compute at_second = side_plane(c.second < c.third, second, third, first).distance(point);
-        const Compute at_third = side_plane(c.third < c.first, third, first, second).distance(point);
-        const Compute least = std::min({Compute(0), at_first, at_second, at_third});
-        if (!(least < 0)) return std::nullopt;
-        if (at_first == least) return this->edge_at(c.first, f.at).edge;
-        if (at_second == least) return this->edge_somewhere(c.second, c.third);
-        return this->edge_at(c.first, c.third_at).edge;
-    }
 
   protected:
     using Base::loader_, Base::rings;
@@ -107,17 +78,30 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     [[nodiscard]] static Compute slope_of(const Vec3<Compute>& along, const Vec3<Compute>& normal) {
         return squared_slope(dot(along, normal)) / squared_norm(along);
     }
+    /// Reads each corner once, and derives a side's plane from the corner that edge_face_plane takes: the one
+    /// before a side that rises, the one after a side that falls.
     template <class Visit>
     [[gnu::noinline]] void visit_ring_of_face(const Face& f, Visit visit) const {
-        for (const auto [edge, flipped] : this->ring_of_face(f)) {
-            if (!visit(edge, this->edge_face_plane(edge, flipped ? Side::right : Side::left))) return;
-        }
-    }
-    [[nodiscard]] [[gnu::noinline]] std::optional<Edge> violated_side_of_ring(const Face& f,
-                                                                              const Vec3<Compute>& p) const {
-        return most_violated<DerivedTable>(this->ring_of_face(f), [&](const Edge& edge, bool flipped) {
-            return this->edge_face_plane(edge, flipped ? Side::right : Side::left).distance(p);
+        const auto corners = this->corners_of(f);
+        const Vec3<Compute> first = vertex(corners.first), second = vertex(corners.second);
+        Vec3<Compute> before = vertex(corners.third), from = first, to = second;
+        DerivedSide side{f, corners.first, corners.second};
+        bool goes_on = true;
+        const auto end_side = [&](const Vec3<Compute>& after) {
+            const bool rising = side.from < side.to;
+            goes_on = visit(side.edge(), side_plane(rising, from, to, rising ? before : after));
+            before = from;
+            from = to;
+            to = after;
+        };
+        this->visit_sides(f, [&](const DerivedSide& following) {
+            if (following.from != corners.first) {
+                end_side(following.to == corners.first ? first : vertex(following.to));
+                side = following;
+            }
+            return goes_on;
         });
+        if (goes_on) end_side(second);
     }
 };
 

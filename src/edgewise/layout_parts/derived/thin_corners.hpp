@@ -6,8 +6,9 @@
 // length, by that over the sine of the angle. A face with corners within 1e-12 of a line has a plane, and
 // sides perpendicular to it, that are off by 1e-4 rad in plain arithmetic; a point a thousandth outside of
 // the body is then called inside. Stored planes were computed in wider arithmetic once
-// (geometry/polyhedron_builder.cpp). Derived planes use wider arithmetic here, only where a corner is thin,
-// and are then as accurate as stored ones.
+// (geometry/polyhedron_builder.cpp). Derived planes of faces use wider arithmetic here, only where a corner
+// is thin, and are then as accurate as stored ones. Planes through sides may be a little less so, in a way
+// that distances do not feel (Tolerance::tilting_corner).
 #pragma once
 
 #include <algorithm>
@@ -59,22 +60,30 @@ template <class Scalar>
         return exact_difference(a, b, 1);
 }
 
-/// The part of `base` to `other` that is perpendicular to `base` to `end`, times the square of the latter: in
-/// plain arithmetic at a fair corner, else in the next wider one, and rounded at the end.
+/// The part of `aside` that is perpendicular to `along`, times the square of the latter.
+template <class Vector>
+[[nodiscard]] Vector perpendicular_part(const Vector& along, const Vector& aside) {
+    return squared_norm(along) * aside - dot(along, aside) * along;
+}
+
+/// The part of `base` to `other` that is perpendicular to `base` to `end`, times the square of the latter. At
+/// a fair corner in plain arithmetic. At a thinner one the part of the part is taken, without what rounding
+/// left along the side (Parlett, The Symmetric Eigenvalue Problem, 1980, 6.9: twice is enough): the plane
+/// holds the side, and is tilted about it (Tolerance::tilting_corner). Thinner still: in the next wider
+/// arithmetic, and rounded at the end.
 template <class Scalar>
 [[nodiscard]] [[gnu::noinline]] Vec3<Scalar> perpendicular_at(const Vec3<Scalar>& base,
                                                               const Vec3<Scalar>& end,
                                                               const Vec3<Scalar>& other) {
-    const auto perpendicular = [](const auto& along, const auto& aside) {
-        using Vector = std::remove_cvref_t<decltype(along)>;
-        return Vector(squared_norm(along) * aside - dot(along, aside) * along);
-    };
     const Vec3<Scalar> along = end - base, aside = other - base;
-    PlainNewellSum<Scalar> corner;
-    corner.add(along);
-    corner.add(aside);
-    if (corner.is_fair()) return perpendicular(along, aside);
-    return cast<Scalar>(perpendicular(wide_difference(end, base), wide_difference(other, base)));
+    const Scalar squared_sine = squared_norm(cross(along, aside)),
+                 most = squared_norm(along) * squared_norm(aside);
+    if (squared_sine > Tolerance<Scalar>::tilting_corner * most) {
+        const Vec3<Scalar> plain = perpendicular_part(along, aside);
+        if (squared_sine > Tolerance<Scalar>::fair_corner * most) return plain;
+        return plain - dot(along, plain) / squared_norm(along) * along;
+    }
+    return cast<Scalar>(perpendicular_part(wide_difference(end, base), wide_difference(other, base)));
 }
 
 /// Returns true if a plane that plain arithmetic of this scalar derives may be off by more than four binary
