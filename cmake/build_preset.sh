@@ -35,12 +35,15 @@ fi
 # The configuring step has printed one line for each missing tool that is not essential.
 grep -E '^-- (charts|edgewise|house):' "$log" || true
 
-# Reads "[17/242] Building ..." of ninja, and prints how many steps are done and how long the others will take.
+# Reads "[17/242] Building ..." of ninja, and prints how many steps are done and, from a tenth of them on, how long the others will
+# take: the first steps are the longest.
 print_progress() { # LOG STARTED
     sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' "$1" | tail -n 1 | {
         read -r done all && [ "$done" -gt 0 ] || exit 0
         seconds=$(($(date +%s) - $2))
-        echo "build: $done of $all steps in $((seconds / 60)) min, about $((seconds * (all - done) / done / 60 + 1)) min left"
+        left=
+        [ $((done * 10)) -lt "$all" ] || left=", about $((seconds * (all - done) / done / 60 + 1)) min left"
+        echo "build: $done of $all steps in $((seconds / 60)) min$left"
     }
 }
 

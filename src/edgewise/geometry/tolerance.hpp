@@ -82,9 +82,9 @@ struct Tolerance {
     /// most four binary digits; thinner corners take an exact one, or one in wider arithmetic.
     static constexpr Scalar fair_corner = Scalar(1) / 256;
 
-    /// Plane through a side of a face, squared sine of the angle at a corner: the plane may be tilted about the
-    /// side by the rounding over the sine, 2^-42 in double and 2^-17 in single. It moves the foot of a point
-    /// by that times the height, less than a query may err (verified_error), and the distance by the square.
+    /// Plane through a side of a face, squared sine of the angle at a corner: it may be tilted about the side
+    /// by the rounding over the sine, 2^-42 in double and 2^-17 in single. It moves a point's foot by that
+    /// times the height, less than a query may err (verified_error), and the distance by the square of it.
     static constexpr Scalar tilting_corner = eps < Scalar(1e-10) ? Scalar(0x1p-20) : Scalar(0x1p-12);
 
     /// Sides of a face, relative to the body's largest coordinate: rounding its two ends to this scalar, half
