@@ -2,7 +2,7 @@
 //
 // Raw V-Clip on cubes side by side, from far apart to as near as rounding: it never asks GJK, and it is the
 // hardened one wherever that doubts nothing. On bodies that are not strictly convex some of its answers are
-// wrong: the proof by the neighbours of its features accepts none of these, and a fair share of the others.
+// wrong: the proof by the neighbours of its features accepts no wrong answer, and a fair share of the others.
 #include <gtest/gtest.h>
 
 #include <algorithm>

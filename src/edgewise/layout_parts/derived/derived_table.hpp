@@ -78,8 +78,8 @@ class DerivedTable : public DerivedEnds<Points, P, Loader, RingPlaces> {
     [[nodiscard]] static Compute slope_of(const Vec3<Compute>& along, const Vec3<Compute>& normal) {
         return squared_slope(dot(along, normal)) / squared_norm(along);
     }
-    /// Reads each corner once, and derives a side's plane from the corner that edge_face_plane takes: the one
-    /// before a side that rises, the one after a side that falls.
+    /// Reads each corner once, the last one twice. A side's plane is derived from the corner that
+    /// edge_face_plane takes: the one before a side that rises, the one after a side that falls.
     template <class Visit>
     [[gnu::noinline]] void visit_ring_of_face(const Face& f, Visit visit) const {
         const auto corners = this->corners_of(f);
