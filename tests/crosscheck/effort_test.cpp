@@ -78,8 +78,8 @@ TEST(EffortOfAPeer, FindsAKnownNumberOfInstructions) {
     EXPECT_LE(value(lesser, "bytes.table_bytes"), 38 * 24 + 64);
 }
 
-/// Instructions and branches depend on the program only. The environment moves the stack, which changes a few
-/// misses.
+/// Instructions depend on the program only. The environment moves the stack, which changes a few misses, and
+/// one misprediction of a pass of 50 queries (8.23 or 8.25 per query in 14 environments).
 TEST(Effort, IsTheSameInAnotherEnvironment) {
     const Folder here, there;
     const auto first = effort(here, {}).at("aos_f64");
@@ -92,7 +92,8 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
             continue;
         }
         const double a = figure.at("value"), b = other.at("value");
-        const double slack = name.ends_with("_misses") ? 2 : 1e-3 * a;
+        const bool branches = name.find("mispredictions") != std::string::npos;
+        const double slack = name.ends_with("_misses") ? 2 : branches ? 0.1 : 1e-3 * a;
         EXPECT_NEAR(a, b, slack) << name;
     }
     EXPECT_GT(value(first, "effort.instructions"), 500);
