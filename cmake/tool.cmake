@@ -85,11 +85,13 @@ if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
-# Sources that mutants (tests/mutation), and tests with probes and studies of their own, replace stay separate.
+# Sources that mutants (tests/mutation), and tests with probes and studies of their own, replace stay separate; and those that
+# ask V-Clip or GJK, so that an edit of an algorithm compiles nothing else here.
 edgewise_unite(edgewise_core ${counters} ${lists} src/edgewise/scene/kinds/scene_tumble.cpp src/edgewise/scene/scene_file.cpp
     src/edgewise/measure/process/callgrind.cpp src/edgewise/scene/motion.cpp
     src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp src/edgewise/studies/effort/effort.cpp src/edgewise/studies/stability/stability_tally.cpp
-    src/edgewise/studies/phases/phases.cpp
+    src/edgewise/studies/phases/phases.cpp src/edgewise/studies/coherence/coherence_study.cpp src/edgewise/sweep/prepared_cell.cpp
+    src/edgewise/bench/trace/walk.cpp probes/work.cpp
     src/edgewise/truth/checked_answer.cpp src/edgewise/truth/filter/float_proof.cpp src/edgewise/truth/filter/posed_pair.cpp
     src/edgewise/studies/fields/best_groups.cpp
     src/edgewise/studies/fields/field_trace.cpp src/edgewise/studies/fields/fields.cpp

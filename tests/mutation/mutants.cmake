@@ -93,10 +93,10 @@ edgewise_mutant(grid_cells_of_the_other_side layout_parts/seed_directions.hpp [[
     Seeds* ${unit}/layout_parts/seeds_test.cpp)
 edgewise_mutant(far_neighbours_are_near layout_parts/relative_table.hpp [[return in.far_neighbours(base).read(loader, low, Field::neighbour);]] [[return low;]]
     RelativeRings.Are* ${unit}/layout_parts/relative_rings_test.cpp)
-edgewise_mutant(bounds_forget_the_turn algorithms/near_pair.hpp [[turned * squared_radius_]] [[0 * turned]]
+edgewise_mutant(bounds_forget_the_turn algorithms/distance_bounds.hpp [[turned * squared_radius_]] [[0 * turned]]
     NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(mirrored_poses_answered algorithms/answerable.hpp [[z.z() - (x.x() * y.y() - x.y() * y.x())]] [[std::abs(z.z()) - std::abs(x.x() * y.y() - x.y() * y.x())]] Answerable* ${unit}/algorithms/answerable_test.cpp)
-edgewise_mutant(squares_add_as_lengths algorithms/near_pair.hpp [[2 * (squared_shift + squared_turn) < left]]
+edgewise_mutant(squares_add_as_lengths algorithms/distance_bounds.hpp [[2 * (squared_shift + squared_turn) < left]]
     [[(squared_shift + squared_turn) < left]] NearPair* ${unit}/algorithms/near_pair_test.cpp)
 edgewise_mutant(scan_takes_the_lowest algorithms/support.hpp [[if (along > best.along) best = {v, point, along};]] [[if (along < best.along) best = {v, point, along};]]
     *Support* ${unit}/algorithms/support_test.cpp)

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "edgewise/algorithms/near_pair.hpp"
+#include "edgewise/algorithms/distance_bounds.hpp"
 #include "edgewise/bench/length_scale.hpp"
 #include "edgewise/geometry/aabb.hpp"
 #include "edgewise/geometry/polyhedron.hpp"

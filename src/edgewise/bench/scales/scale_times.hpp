@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What was measured of one table at many scales (scale_study.hpp), and the place of the second body of a pair
-// while it turns.
+// What was measured of one table at many scales (scale_study.hpp).
 #pragma once
 
 #include <cstddef>
 #include <vector>
-
-#include "edgewise/geometry/pose.hpp"
 
 namespace edgewise::bench {
 
@@ -20,9 +17,5 @@ struct ScaleTimes {
     std::size_t checked = 0;                  ///< of them, against exact ones
     double error = 0;                         ///< the worst, over the size of the problem
 };
-
-/// The place turned about its z axis by an angle with a sine that grows by 0.025 per step. Outside the query
-/// loops, which have flags that let the compiler fuse this product's multiplications and additions.
-[[nodiscard]] Transform<double> turned_place(const Transform<double>& place, std::size_t step);
 
 }  // namespace edgewise::bench
