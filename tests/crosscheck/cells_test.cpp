@@ -41,11 +41,12 @@ double most_beyond(const std::string& machine) {
     return machine.starts_with("pentium") ? 14 : 7.5;
 }
 
-/// In the last level the two may differ by 1.5 lines per query and a tenth of the misses: a table that nearly
-/// fills the cache loses lines to the stack, by chance (2.1 and 2.4 instead of 11.6 seen in two runs of one
-/// build). The tool may have about one line less, because a query's record is not read to its last byte. With
-/// lines of 32 bytes it may have up to half of the misses on poses less: a wide load of a pose lies in two
-/// lines, and Callgrind counts it once.
+/// In the last level the tool also holds the stack, constants and instructions, which take lines of a table
+/// that nearly fills the cache, by chance (13.9 to 14.2 misses of a model of 11.6 seen in several
+/// environments): it may exceed the model with one way less by 1.5 lines per query. It may have that much and
+/// a tenth of the misses less than the model: a query's record is not read to its last byte. With lines of
+/// 32 bytes it may have up to half of the misses on poses less: a wide load of a pose lies in two lines, and
+/// Callgrind counts it once.
 TEST_P(CrosscheckCells, AgreeButForTheStack) {
     const Cell& cell = GetParam();
     const Folder folder;
@@ -66,14 +67,14 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         const double of_poses = model - row["model"]["d1_misses_per_query"].get<double>();
         EXPECT_GT(tool, model - 0.8 - (small_lines ? of_poses / 2 : 0)) << row;
         const bool by_chance = small_lines || row["machine"] == "raspberry_pi4";
-        const double most = by_chance ? row["d1_misses_per_query_at_most"].get<double>() : model;
+        const double most = by_chance ? row["at_most"]["d1_misses_per_query"].get<double>() : model;
         EXPECT_LT(tool, most + most_beyond(row["machine"])) << row;
         EXPECT_TRUE(by_chance || tool < 25 || model > 0.75 * tool) << row;
-        const double ll =
-            theirs["ll_misses_per_query"].get<double>() - ours["ll_misses_per_query"].get<double>();
-        EXPECT_LT(std::abs(ll), 1.5 + 0.1 * ours["ll_misses_per_query"].get<double>()) << row;
+        const double model_ll = ours["ll_misses_per_query"], tool_ll = theirs["ll_misses_per_query"];
+        EXPECT_GT(tool_ll, 0.9 * model_ll - 1.5) << row;
+        EXPECT_LT(tool_ll, row["at_most"]["ll_misses_per_query"].get<double>() + 1.5) << row;
         worst = std::max(worst, std::abs(tool - model));
-        worst_ll = std::max(worst_ll, std::abs(ll));
+        worst_ll = std::max(worst_ll, std::abs(tool_ll - model_ll));
         most_modelled = std::max(most_modelled, model);
     }
     EXPECT_GT(most_modelled, 3) << "nothing was missed";

@@ -25,6 +25,8 @@ struct DistanceInterval {
     double most = std::numeric_limits<double>::infinity();
 };
 
+/// Bounds of one pair's distance at one pose; from these follow bounds at any other pose, and whether the
+/// bodies are nearer than a given distance there, where the bounds decide it.
 class DistanceBounds {
   public:
     /// Bounds of a pair about which nothing is known.

@@ -112,42 +112,6 @@ Count count_by_perf(const CellChoice& choice, const std::string& program, const 
     return {(counts[1] - counts[0]) / passes};
 }
 
-}  // namespace
-
-measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
-                                    bool with_poses) {
-    ModelListener listener(geometry, with_poses);
-    const bench::TraceExtent all = bench::TraceExtent::everything();
-    cell.runner().trace(all, listener);
-    listener.start_pass();
-    cell.runner().trace(all, listener);
-    const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
-    return {0, count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
-            count(listener.model().counts(1).misses)};
-}
-
-measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(measure::CacheGeometry geometry) {
-    std::uint32_t& ways = geometry.levels[0].ways;
-    if (ways < 2) return measure::Expected<measure::CacheGeometry>::none("the first level has one way");
-    ways -= ways > 2 ? 2 : 1;
-    return {std::move(geometry)};
-}
-
-std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
-                                 const measure::Cpu& cpu) {
-    std::vector<PerfCount> counts;
-    for (const measure::ChosenEvent& event : measure::chosen_events(cpu)) {
-        const bool wanted = event.event == "instructions" || event.event == "l1d_fills" ||
-                            event.event == "l2_demand_misses" || event.event == "llc_misses";
-        if (wanted)
-            counts.push_back(
-                {event.event, event.encoding, event.level, count_by_perf(choice, program, event)});
-    }
-    return counts;
-}
-
-namespace {
-
 using Trace = std::vector<measure::TracedAccess>;
 
 struct Recorder final : measure::TraceListener {
@@ -195,6 +159,39 @@ void add_speeds(const std::string& name, const Trace& trace, int repetitions,
 }
 
 }  // namespace
+
+measure::CallgrindCounts model_pass(const SingleCell& cell, const measure::CacheGeometry& geometry,
+                                    bool with_poses) {
+    ModelListener listener(geometry, with_poses);
+    const bench::TraceExtent all = bench::TraceExtent::everything();
+    cell.runner().trace(all, listener);
+    listener.start_pass();
+    cell.runner().trace(all, listener);
+    const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
+    return {0, count(listener.model().counts(0).accesses), count(listener.model().counts(0).misses),
+            count(listener.model().counts(1).misses)};
+}
+
+measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(measure::CacheGeometry geometry) {
+    std::uint32_t& ways = geometry.levels[0].ways;
+    if (ways < 2) return measure::Expected<measure::CacheGeometry>::none("the first level has one way");
+    ways -= ways > 2 ? 2 : 1;
+    if (geometry.levels.back().ways > 1) --geometry.levels.back().ways;
+    return {std::move(geometry)};
+}
+
+std::vector<PerfCount> perf_pass(const CellChoice& choice, const std::string& program,
+                                 const measure::Cpu& cpu) {
+    std::vector<PerfCount> counts;
+    for (const measure::ChosenEvent& event : measure::chosen_events(cpu)) {
+        const bool wanted = event.event == "instructions" || event.event == "l1d_fills" ||
+                            event.event == "l2_demand_misses" || event.event == "llc_misses";
+        if (wanted)
+            counts.push_back(
+                {event.event, event.encoding, event.level, count_by_perf(choice, program, event)});
+    }
+    return counts;
+}
 
 std::vector<ModelSpeed> model_speeds(const SingleCell& cell, int repetitions) {
     const measure::CacheMachine machine = measure::described_machines({"zen5"}).front();

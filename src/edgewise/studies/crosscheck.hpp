@@ -22,9 +22,10 @@ namespace edgewise::studies {
 [[nodiscard]] measure::CallgrindCounts model_pass(const SingleCell& cell,
                                                   const measure::CacheGeometry& geometry, bool with_poses);
 
-/// Returns the geometry with fewer ways per set of the first level, which the stack and constants may take:
-/// two fewer, or one if sets have only two. By inclusion of least-recently-used caches, whatever lies in
-/// these ways, the tables' lines miss no more often than in this cache. Unknown if sets have one way.
+/// Returns the geometry with fewer ways per set, which other things may take: in the first level the stack
+/// and constants, two ways or one of two; in the last level these and the program's instructions, one way.
+/// By inclusion of least-recently-used caches, whatever lies in these ways, the tables' lines miss no more
+/// often than in this cache. Unknown if sets of the first level have one way.
 [[nodiscard]] measure::Expected<measure::CacheGeometry> without_ways_of_the_stack(
     measure::CacheGeometry geometry);
 

@@ -80,7 +80,7 @@ void compare_planes(const Table& table, const Polyhedron& body, NeedleErrors& er
 
 template <class Table>
 void compare_distances(const Table& table, const Polyhedron& body, scene::Rng& rng, NeedleErrors& errors) {
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 6; ++i) {
         const Vec3d corner_a = body.vertices[rng.below(body.vertex_count())];
         const Vec3d corner_b = body.vertices[rng.below(body.vertex_count())];
         const double gap = std::pow(10.0, rng.uniform(-3, 0));
