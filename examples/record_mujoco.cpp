@@ -18,10 +18,12 @@
 #include <cstdlib>
 #include <edgewise/record.hpp>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,6 +63,9 @@ class MujocoModel {
         std::array<char, 1000> error{};
         model_.reset(mj_loadXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
         if (!model_) throw std::invalid_argument(std::string("MuJoCo: ") + error.data());
+        std::ostringstream text;
+        text << std::ifstream(file).rdbuf();
+        has_mimics_ = text.str().find("<mimic") != std::string::npos;  // of URDF; MuJoCo ignores them
         data_.reset(mj_makeData(model_.get()));
         mj_forward(model_.get(), data_.get());
     }
@@ -69,6 +74,7 @@ class MujocoModel {
         MujocoRecorder recorder(std::cout, std::string("MuJoCo ") + mj_versionString(), model_->opt.timestep);
         add_bodies(recorder);
         say_that_cylinders_are_prisms(cylinders_);
+        say_what_is_not_followed(joint_speed > 0);
         if (bodies_.empty()) throw std::invalid_argument("no geometry of the model takes part in collisions");
         joint_speed > 0 ? record_joints(seconds, rate, joint_speed, recorder)
                         : record_dynamics(seconds, rate, recorder);
@@ -83,12 +89,22 @@ class MujocoModel {
                 next_control += seconds_of_a_control;
             }
             mj_step1(model_.get(), data_.get());
+            refuse_if_unstable();
             if (data_->time >= next_step - 1e-9) {
                 write_step(recorder);
                 if (rate > 0) next_step += 1 / rate;
             }
             mj_step2(model_.get(), data_.get());
+            refuse_if_unstable();
         }
+    }
+
+    /// MuJoCo sets an unstable simulation back to its start, and time with it.
+    void refuse_if_unstable() const {
+        for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
+            if (data_->warning[warning].number > 0)
+                throw std::runtime_error(
+                    "the simulation became unstable: give the model a smaller timestep, or softer springs");
     }
 
     void record_joints(double seconds, double rate, double speed, MujocoRecorder& recorder) {
@@ -136,6 +152,16 @@ class MujocoModel {
             if (link_a < links_ && link_b < links_)
                 recorder.exclude(static_cast<std::size_t>(link_a), static_cast<std::size_t>(link_b));
         }
+    }
+
+    /// Says which rules of the model the recording does not follow.
+    void say_what_is_not_followed(bool moves_joints) const {
+        if (model_->npair > 0)
+            std::cerr
+                << "predefined pairs are left out: contype and conaffinity say which geometries are pairs\n";
+        const auto led = std::count(model_->eq_type, model_->eq_type + model_->neq, mjEQ_JOINT);
+        if (has_mimics_ || (moves_joints && led > 0))
+            std::cerr << "joints that should follow others move by themselves\n";
     }
 
     /// Equal geoms share a shape.
@@ -199,7 +225,9 @@ class MujocoModel {
         std::vector<MujocoRecorder::Contact> contacts;
         for (int i = 0; i < data_->ncon; ++i) {
             const mjContact& contact = data_->contact[i];
-            contacts.push_back({bodies_.at(contact.geom1), bodies_.at(contact.geom2), contact.dist});
+            const auto a = bodies_.find(contact.geom1), b = bodies_.find(contact.geom2);
+            if (a != bodies_.end() && b != bodies_.end())  // else of a predefined pair
+                contacts.push_back({a->second, b->second, contact.dist});
         }
         recorder.step({.time = data_->time, .poses = poses, .contacts = contacts});
     }
@@ -214,6 +242,7 @@ class MujocoModel {
     std::map<int, std::size_t> bodies_;  ///< by geom
     int links_ = 0;                      ///< up to the last that has a geom
     int cylinders_ = 0;                  ///< different ones
+    bool has_mimics_ = false;
     std::minstd_rand random_;
 };
 

@@ -45,15 +45,17 @@ void refuse_if_any(const sdf::Errors& errors) {
 void load(sdf::Root& root, const std::string& file) {
     std::ostringstream said;
     std::streambuf* const screen = std::cerr.rdbuf(said.rdbuf());
-    const sdf::Errors errors = root.Load(file);
+    sdf::ParserConfig config = sdf::ParserConfig::GlobalConfig();
+    config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
+    const sdf::Errors errors = root.Load(file, config);
     std::cerr.rdbuf(screen);
+    const std::string text = std::regex_replace(said.str(), std::regex("\x1b\\[[0-9;]*m"), "");
     try {
         refuse_if_any(errors);
     } catch (const std::invalid_argument& problem) {
-        const std::regex colour("\x1b\\[[0-9;]*m");
-        throw std::invalid_argument(problem.what() +
-                                    (" (" + std::regex_replace(said.str(), colour, "") + ")"));
+        throw std::invalid_argument(problem.what() + (" (" + text + ")"));
     }
+    if (!text.empty()) std::cerr << "libsdformat: " << text << '\n';  // of elements that it does not know
 }
 
 template <class Element>
@@ -75,8 +77,9 @@ struct Link {
     Pose start, now;
     std::size_t model;  ///< on top
     bool fixed, self_collide;
-    int joint = -1;   ///< on which it hangs
-    int number = -1;  ///< in the recording; that of the link to which it is welded
+    int joint = -1;         ///< on which it hangs
+    int number = -1;        ///< in the recording; that of the link to which it is welded
+    bool is_solid = false;  ///< it has geometry, or what is welded to it
 };
 
 /// A joint between links; the parent is -1 for the world.
@@ -216,6 +219,8 @@ class SdfModel {
     }
 
     void add_bodies(SdfRecorder& recorder) {
+        for (int link = 0; link < static_cast<int>(links_.size()); ++link)
+            at(welded_to(link)).is_solid |= at(link).given->CollisionCount() > 0;
         for (int link = 0; link < static_cast<int>(links_.size()); ++link) {
             const int root = welded_to(link);
             for (std::uint64_t i = 0; i < at(link).given->CollisionCount(); ++i)
@@ -240,7 +245,8 @@ class SdfModel {
         body.pose = recorded(at(root).start.Inverse() * at(link).start * pose_of(collision));
         body.fixed = at(root).fixed;
         const Joint* const joint = joint_of(root);
-        if (joint && joint->parent >= 0) body.parent = number_of(welded_to(joint->parent));
+        const int parent = joint && joint->parent >= 0 ? welded_to(joint->parent) : -1;
+        if (parent >= 0 && at(parent).is_solid) body.parent = number_of(parent);
         recorder.add_body(body);
         ++bodies_;
     }
@@ -339,7 +345,7 @@ class SdfModel {
     std::vector<Link> links_;
     std::vector<Joint> joints_;
     std::map<std::pair<std::size_t, std::string>, int> numbers_;  ///< of links, by model and name
-    std::vector<int> numbered_;  ///< links with geometry, or on which such hang
+    std::vector<int> numbered_;                                   ///< solid links, by their numbers
     std::map<Shape, std::size_t> shapes_;
     int bodies_ = 0, cylinders_ = 0;
 };

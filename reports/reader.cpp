@@ -11,7 +11,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
-#include <vector>
 
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/json_text.hpp"
@@ -168,10 +167,6 @@ std::string varied_by(const SceneLabelJson& file) {
     return vary.is_object() && !vary.empty() ? vary.begin().key() : std::string();
 }
 
-}  // namespace
-
-namespace {
-
 constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
                                        {"static", "bodies", 64},
                                        {"static", "margin", 0},
@@ -280,7 +275,7 @@ std::string scene_kind(const ReportCell& cell) {
 }
 
 bool has_own_tables(const ReportCell& cell) {
-    return scene_kind(cell) == "pressure" || parameter_of(cell, "own_tables") == 1;
+    return parameter_of(cell, "own_tables").value_or(scene_kind(cell) == "pressure") == 1;
 }
 
 bool is_near_contact(const ReportCell& cell) {

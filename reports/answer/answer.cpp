@@ -11,8 +11,6 @@
 #include <tuple>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/answer/ranking.hpp"
-#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/store/schema.hpp"
 
@@ -46,13 +44,11 @@ std::vector<SweepRun> sweep_runs(const ReportData& data) {
     return runs;
 }
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 /// Returns "# cases at #e-#" for "3 cases at 1e-6", so that reasons that differ in numbers are equal.
 std::string without_numbers(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (!is_digit(c) && !(c == '.' && !out.empty() && out.back() == '#'))
+        if (!std::isdigit(static_cast<unsigned char>(c)) && !(c == '.' && !out.empty() && out.back() == '#'))
             out += c;
         else if (out.empty() || out.back() != '#')
             out += '#';
@@ -133,7 +129,10 @@ CellCounts counts_of(const ReportData& data) {
                       data.count(store::CellStatus::unavailable),
                       data.stability.size(),
                       0};
-    for (const ReportCell& row : data.stability) counts.stability_failed += row.failed();
+    for (const ReportCell& row : data.stability) {
+        counts.stability_failed += row.failed();
+        counts.stability_verified += row.verified() && !row.is_raw();
+    }
     return counts;
 }
 
@@ -158,18 +157,22 @@ constexpr double as_fast = 1.05;
 /// By algorithm and table type.
 using Tallies = std::map<std::pair<std::string, std::string>, Tally>;
 
-/// Keeps what ties in most scenes among those that are no slower on average than the paper's layout, and of
-/// these what is as fast on average; the paper's layout itself if all that tie somewhere are slower.
+/// Keeps, of what meets the error limit in every scene, what ties in most scenes among those that are no
+/// slower on average than the paper's layout, and of these what is as fast on average; the paper's layout
+/// itself if all that tie somewhere are slower, or over the limit.
 void keep_best(Tallies& tallies, const Baseline& paper) {
     const auto own = tallies.find({paper.algorithm, paper.table});
     const Tallies only_own = own == tallies.end() || own->second.dropped > 0 ? Tallies{} : Tallies{*own};
     std::erase_if(tallies, [](const auto& one) { return one.second.ties == 0; });
     if (tallies.empty()) return;
+    std::erase_if(tallies, [](const auto& one) { return one.second.dropped > 0; });
+    if (tallies.empty()) tallies = only_own;
     if (!only_own.empty()) {
         const double ratio = only_own.begin()->second.ratio();
         std::erase_if(tallies, [ratio](const auto& one) { return one.second.ratio() > ratio; });
         if (tallies.empty()) tallies = only_own;
     }
+    if (tallies.empty()) return;
     const auto tally_of = [](const auto& one) -> const Tally& { return one.second; };
     const Tally most = std::ranges::min_element(tallies, &Tally::ties_in_more_than, tally_of)->second;
     std::erase_if(tallies, [&](const auto& one) { return most.ties_in_more_than(one.second); });

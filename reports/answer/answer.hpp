@@ -45,7 +45,7 @@ struct Gaps {
 /// Number of the store's cells by status.
 struct CellCounts {
     std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
-    std::size_t stability_rows = 0, stability_failed = 0;
+    std::size_t stability_rows = 0, stability_failed = 0, stability_verified = 0;  ///< verified: not raw
 };
 
 struct Answer {

@@ -17,17 +17,20 @@ namespace edgewise::reports {
 namespace {
 
 /// "0.72 [0.69, 0.83] of the time of the paper's layout, 0.52 to 0.91 by scene": the geometric mean over the
-/// scenes, of the ratios and of each end of their intervals.
+/// scenes, of the ratios and of each end of their intervals, if each scene has one.
 std::string time_fact(const Recommendation& take) {
-    double low = 0, ratio = 0, high = 0, scenes = 0;
+    double low = 0, ratio = 0, high = 0, scenes = 0, intervals = 0;
     for (const Recommendation::InScene& one : take.scenes) {
         if (!one.cell) continue;
         low += std::log(one.cell->low()), ratio += std::log(one.cell->ratio);
         high += std::log(one.cell->high()), ++scenes;
+        intervals += one.cell->interval.has_value();
     }
     const double mean = std::exp(ratio / scenes);
-    std::string text = fmt::format("{:.2f} [{:.2f}, {:.2f}] of the time of the paper's layout", mean,
-                                   std::exp(low / scenes), std::exp(high / scenes));
+    std::string text = fmt::format("{:.2f}", mean);
+    if (intervals == scenes)
+        text += fmt::format(" [{:.2f}, {:.2f}]", std::exp(low / scenes), std::exp(high / scenes));
+    text += " of the time of the paper's layout";
     double least = mean, most = mean;
     for (const Recommendation::InScene& one : take.scenes)
         if (one.cell) least = std::min(least, one.cell->ratio), most = std::max(most, one.cell->ratio);
@@ -43,12 +46,13 @@ class Condition {
 
     /// Compares them in one scene, whose cells are given fastest first.
     void compare(const std::vector<RankedCell>& cells, const SceneRanking& scene) {
-        was_asked_ = true;
         const auto winner = std::ranges::find_if(cells, &RankedCell::meets_error);
         const auto here = std::ranges::find_if(cells, [&](const RankedCell& one) {
             return one.cell->algorithm == take_.algorithm && one.table == take_.table;
         });
-        if (here == cells.end() || winner == cells.end() || !scene.recommends() || scene.too_noisy()) return;
+        if (here == cells.end() || winner == cells.end() || !scene.recommends()) return;
+        is_noisy_ = is_noisy_ || scene.too_noisy();
+        if (scene.too_noisy()) return;
         ++compared_;
         if (!here->meets_error()) dropped_ = here->dropped;
         if (ties(here->range(), winner->range(), scene.own_variation)) return;
@@ -63,7 +67,7 @@ class Condition {
         if (here_)
             return fmt::format("{}: {} takes {:.2f}, this {:.2f}", name_, winner_->name(), winner_->ratio,
                                here_->ratio);
-        return name_ + (compared_ > 0 ? ": the same" : was_asked_ ? ": too noisy to say" : ": not measured");
+        return name_ + (compared_ > 0 ? ": the same" : is_noisy_ ? ": too noisy to say" : ": not measured");
     }
 
   private:
@@ -71,7 +75,7 @@ class Condition {
     const Recommendation& take_;
     const RankedCell *here_ = nullptr, *winner_ = nullptr;
     std::size_t compared_ = 0;
-    bool was_asked_ = false;
+    bool is_noisy_ = false;
     std::string dropped_;
 };
 

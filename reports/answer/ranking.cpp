@@ -8,13 +8,11 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <string>
 #include <tuple>
 
 #include "edgewise/measure/machine/quietness.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/reader.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
@@ -189,7 +187,9 @@ const RankedCell* SceneRanking::best(const std::string& algorithm) const {
 const RankedCell* SceneRanking::best_peer() const {
     const auto within = std::ranges::find_if(peers, [](const RankedCell& one) { return one.meets_error(); });
     if (within != peers.end()) return &*within;
-    return peers.empty() ? nullptr : &peers.front();
+    const auto known =
+        std::ranges::find_if(peers, [](const RankedCell& one) { return one.worst_error.has_value(); });
+    return known == peers.end() ? nullptr : &*known;
 }
 
 const RankedCell* SceneRanking::smallest_of_ties() const {

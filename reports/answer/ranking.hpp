@@ -132,7 +132,7 @@ struct SceneRanking {
     [[nodiscard]] const RankedCell* winner() const;
     [[nodiscard]] const RankedCell* baseline() const;                          ///< its own cell
     [[nodiscard]] const RankedCell* best(const std::string& algorithm) const;  ///< within the limit
-    [[nodiscard]] const RankedCell* best_peer() const;         ///< within the limit, else the fastest
+    [[nodiscard]] const RankedCell* best_peer() const;         ///< within the limit, else of known error
     [[nodiscard]] const RankedCell* smallest_of_ties() const;  ///< at most a quarter slower than the winner
     [[nodiscard]] bool ties_with_winner(const RankedCell& cell) const;
     /// The recommended cell: the winner where it beats the baseline, else the smallest of the ties that

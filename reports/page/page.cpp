@@ -7,14 +7,11 @@
 
 #include <fmt/core.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <set>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/body/body_heat.hpp"
-#include "edgewise/reports/page/chapters/chapters.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/results/export.hpp"
 #include "edgewise/reports/tables/formatting.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <set>
 
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"

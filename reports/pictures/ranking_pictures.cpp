@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/answer/break_even_map.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
 #include "edgewise/reports/text/report_text.hpp"

@@ -11,7 +11,6 @@
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/answer/ranking.hpp"
-#include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
 

@@ -5,12 +5,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/input/known_names.hpp"

@@ -4,9 +4,6 @@
 #include <fmt/core.h>
 #include <fnmatch.h>
 
-#include <map>
-#include <string_view>
-
 #include "edgewise/input/shown_text.hpp"
 
 namespace edgewise::reports {

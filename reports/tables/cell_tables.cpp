@@ -180,15 +180,12 @@ TextGrid facts_grid(const ReportData& data) {
     add(grid, "seed", seeds(data));
     bool plan = false;
     for (const auto& [key, value] : data.meta) {
-        if (key.starts_with(store::drawing_key) || key.starts_with(store::scene_file_key) ||
-            key.starts_with(store::scene_path_key) || key.starts_with(store::peer_key) ||
-            key.starts_with(store::run_key) || key.starts_with(store::layout_key) ||
-            key.starts_with(store::body_key) || key.starts_with(store::heat_key) ||
-            key.starts_with(store::study_key))
-            continue;  // in places of their own
-        if (key == "build" || key == "seed") continue;
-        if (key == store::shard_key || key == store::complete_key || key.starts_with(store::took_key) ||
-            key.starts_with(store::others_key))
+        constexpr const char* elsewhere[] = {store::drawing_key, store::scene_file_key, store::scene_path_key,
+                                             store::peer_key,    store::run_key,        store::layout_key,
+                                             store::body_key,    store::heat_key,       store::study_key,
+                                             store::took_key,    store::others_key};
+        if (std::ranges::any_of(elsewhere, [&](const char* start) { return key.starts_with(start); }) ||
+            key == "build" || key == "seed" || key == store::shard_key || key == store::complete_key)
             continue;
         if (key.starts_with(store::command_key)) {
             if (value == data.build.id)

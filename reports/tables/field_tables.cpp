@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/store/palette.hpp"

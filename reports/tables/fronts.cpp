@@ -37,7 +37,8 @@ namespace {
 std::string read_point(const ReportCell& cell, FrontPoint& point) {
     if (cell.is_raw()) return "raw V-Clip is judged, and not for its speed";
     // Axes that place tables, and GJK's tolerance, leave the question as it is.
-    if (cell.axis("needs") || cell.axis("contact_tolerance")) return "its axis asks another question";
+    if (cell.axis("needs") || cell.axis("contact_tolerance") || cell.axis("radius"))
+        return "its axis asks another question";
     const measure::Figure time = cell.figure(store::separated_time.ns);
     if (!time.value) return "time: " + time.reason;
     if (!(*time.value > 0)) return "a time of 0 has no place on a logarithmic axis";

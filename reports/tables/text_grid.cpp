@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "edgewise/input/shown_text.hpp"
-#include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {
 

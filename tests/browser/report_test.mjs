@@ -285,10 +285,10 @@ async function accessible(page) {
         .map(one => one.outerHTML.slice(0, 80))`);
     check('all that takes the focus has a name', nameless.length === 0, nameless.join(' | '));
     const tabs = await page.value(`[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex="0"]')]
-        .filter(one => one.checkVisibility() && !one.closest('.long, #card')).map(one => one.matches('a.term') ? one.hash : '')`);
+        .filter(one => one.checkVisibility() && !one.closest('.long, #card, .ties')).map(one => one.matches('a.term') ? one.hash : '')`);
     const terms = tabs.filter(hash => hash !== '');
-    // All charts are drawn by now, and each has brought its menu and choices. Layouts that tie on this machine bring some.
-    check('fewer than 80 stops of the tabulator beside links to words', tabs.length - terms.length < 80, tabs.length - terms.length);
+    // All charts are drawn by now, and each has brought its menu and choices. How many layouts tie depends on the machine.
+    check('fewer than 75 stops of the tabulator beside ties and links to words', tabs.length - terms.length < 75, tabs.length - terms.length);
     check('and of these one for each word', terms.length > 10 && new Set(terms).size === terms.length, terms.length);
     if (!axe || !existsSync(axe)) return console.log('skip axe-core is not there: its rules were not checked');
     await page.value(readFileSync(axe, 'utf8') + ';0');

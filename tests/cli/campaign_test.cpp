@@ -98,6 +98,30 @@ TEST(CampaignCommand, ShardsAddUp) {
     const Outcome half = run({"campaign", "--add", "s1.json", "--state", "half.json", "--json"}, folder);
     EXPECT_EQ(half.exit_code, 1);
     EXPECT_EQ(json::parse(half.out)["done"], false);
+    const Outcome resumed = run(small({"--pairs", "3e4"}, "half.json"), folder);
+    EXPECT_EQ(resumed.exit_code, 2);
+    EXPECT_THAT(resumed.err, HasSubstr("half.json: a sum of parts that are not all there"));
+    const Outcome onto = run({"campaign", "--add", "s0.json", "s1.json", "--state", "s0.json"}, folder);
+    EXPECT_EQ(onto.exit_code, 2);
+    EXPECT_THAT(onto.err, HasSubstr("s0.json: progress of another campaign"));
+}
+
+/// What another program, or another body of that name, gave is no part of this campaign.
+TEST(CampaignCommand, GoesOnOnlyWithItsProgramAndBodies) {
+    const Folder folder;
+    const auto body = [&](const char* apex) {
+        folder.write("t.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 ") + apex +
+                                  "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    };
+    const Arguments ask = {"campaign", "--families", "random",  "--shape", "t.obj", "--pairs",
+                           "100",      "--layouts",  "aos_f64", "--state", "c.json"};
+    body("1");
+    ASSERT_EQ(run(ask, folder).exit_code, 0);
+    EXPECT_EQ(run(ask, folder).exit_code, 0) << "done";
+    body("2");
+    const Outcome other = run(ask, folder);
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, HasSubstr("c.json: progress of a campaign of another program, or with another"));
 }
 
 TEST(CampaignCommand, GivesAPairAgainAsACase) {

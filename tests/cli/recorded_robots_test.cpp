@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "program.hpp"
@@ -179,6 +180,63 @@ TEST(RecordedRobot, BadSdfGetsOneLine) {
         EXPECT_EQ(outcome.exit_code, 2) << said;
         EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr(said));
+    }
+}
+
+/// A joint with two axes is often written as two joints with a link between them that has no geometry.
+TEST(RecordedRobot, LinksInSdfWithoutGeometryAreNoBodies) {
+    if (!has_recorder("record_sdformat")) GTEST_SKIP() << "no libsdformat here (Debian: libsdformat-dev)";
+    const Folder folder;
+    folder.write("arm.sdf", R"(<sdf version="1.9"><model name="arm">
+      <link name="base"><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision></link>
+      <link name="between"/>
+      <link name="hand"><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision></link>
+      <joint name="a" type="revolute"><parent>base</parent><child>between</child><axis><xyz>0 1 0</xyz></axis></joint>
+      <joint name="b" type="revolute"><parent>between</parent><child>hand</child><axis><xyz>1 0 0</xyz></axis></joint>
+    </model></sdf>)");
+    const Outcome recorded = run({"record", "arm.sdf", "--seconds", "0.1", "--out", "arm.jsonl"}, folder);
+    ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
+    const auto lines = lines_of(text_of(folder / "arm.jsonl"));
+    EXPECT_FALSE(json::parse(lines.at(0))["bodies"].at(1).contains("parent"));
+    EXPECT_EQ(json::parse(lines.at(1))["poses"].size(), 2U);
+}
+
+TEST(RecordedRobot, AnElementThatSdfDoesNotHaveIsSaid) {
+    if (!has_recorder("record_sdformat")) GTEST_SKIP() << "no libsdformat here (Debian: libsdformat-dev)";
+    const Folder folder;
+    std::filesystem::create_directory(folder / "arm");
+    folder.write("arm/upper.obj", tetrahedron);
+    const std::string hand =
+        "<collision name=\"c\"><geometry><box><size>0.1 0.2 0.05</size></box></geometry></collision>";
+    folder.write("arm.sdf", replaced(arm_in_sdf, hand, "<collison name=\"c\"/>"));
+    const Outcome recorded = run({"record", "arm.sdf", "--seconds", "0.1", "--out", "arm.jsonl"}, folder);
+    EXPECT_EQ(recorded.exit_code, 0);
+    EXPECT_THAT(recorded.err, AllOf(HasSubstr("collison"), HasSubstr("not defined in SDF")));
+    EXPECT_EQ(lines_of(recorded.err).size(), 1U);
+}
+
+TEST(RecordedRobot, WhatARecordingOfMujocoDoesNotFollowIsSaid) {
+    if (!has_recorder("record_mujoco")) GTEST_SKIP() << "no MuJoCo here (Debian: libmujoco-dev)";
+    const Folder folder;
+    folder.write("upper.obj", tetrahedron);
+    folder.write("arm.urdf",
+                 replaced(arm, "<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 1 0\"/><mimic joint=\"wrist\"/>"));
+    folder.write("pair.xml", R"(<mujoco><worldbody>
+      <geom name="a" type="box" size="1 1 1" contype="0" conaffinity="0"/><geom type="sphere" size="9" pos="0 0 50"/>
+      <body pos="0 0 1.9"><freejoint/><geom name="b" type="sphere" size="1" contype="0" conaffinity="0"/></body>
+      </worldbody><contact><pair geom1="a" geom2="b"/></contact></mujoco>)");
+    folder.write("stiff.xml", R"(<mujoco><option timestep="0.1"/><worldbody><body>
+      <joint type="slide" axis="0 0 1" stiffness="1e5" springref="0.1"/><geom type="sphere" size="0.1" mass="1"/>
+      </body></worldbody></mujoco>)");
+    const std::tuple<const char*, int, const char*> all[] = {
+        {"arm.urdf", 0, "joints that should follow others move by themselves"},
+        {"pair.xml", 0, "predefined pairs are left out"},
+        {"stiff.xml", 2, "the simulation became unstable: give the model a smaller timestep"}};
+    for (const auto& [file, code, said] : all) {
+        const Outcome outcome = run({"record", file, "--seconds", "1", "--out", "a.jsonl"}, folder);
+        EXPECT_EQ(outcome.exit_code, code) << file;
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(said)) << file;
     }
 }
 

@@ -24,6 +24,28 @@ using testing::IsSupersetOf;
 
 constexpr std::size_t rounds_of_a_cell = 120, cells = 2 * 2 * 2;
 
+/// Figures stay that a later sweep does not measure, and those of probes that an earlier one left out are
+/// added.
+TEST(SweepAgain, KeepsAndAddsFiguresOfProbes) {
+    const Folder folder;
+    const Arguments some = words_of(
+        "sweep --scenes cold --shapes cube8 --layouts aos_f64 --algorithms gjk --queries 50 --checked 10 "
+        "--store s.db --no-report");
+    const auto count = [&](const std::string& probe) {
+        return rows_of(folder / "s.db",
+                       "select name from figure where value is not null and probe = '" + probe + "'")
+            .size();
+    };
+    ASSERT_EQ(run(with(some, {"--rounds", "2", "--probes", "time", "error"}), folder).exit_code, 0);
+    EXPECT_EQ(count("bytes"), 0U);
+    ASSERT_EQ(run(with(some, {"--rounds", "2"}), folder).exit_code, 0);
+    const std::size_t bytes = count("bytes");
+    EXPECT_GT(bytes, 0U);
+    ASSERT_EQ(run(with(some, {"--rounds", "3", "--probes", "time", "error"}), folder).exit_code, 0);
+    EXPECT_EQ(count("bytes"), bytes);
+    EXPECT_EQ(rounds_in(folder / "s.db").size(), 3U);
+}
+
 /// Several groups, so that the end comes with some cells complete, one group half-way and others not begun.
 const Arguments sweep = words_of(
     "sweep --scenes cold,static --shapes sphere38,sphere102 --layouts aos_f64 "

@@ -49,6 +49,13 @@ TEST(Scaling, HasARowForOneThreadAndForAllCores) {
     }
 }
 
+TEST(Scaling, TablesOfThreadsAreSolvedAsSharedOnesAre) {
+    const Folder folder;
+    const Outcome outcome = run(
+        with(short_scaling, {"--threads", "1", "--algorithm", "gjk", "--sub-distance", "johnson"}), folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 TEST(Scaling, PrintsATable) {
     const Folder folder;
     const Outcome outcome = run(with(short_scaling, {"--threads", "1"}), folder);

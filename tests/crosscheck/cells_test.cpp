@@ -31,13 +31,14 @@ constexpr const char* machines =
 
 /// Lines per query by which the tool may exceed the model. Besides tables, pair caches and poses, the tool
 /// sees the stack, constants, answers and instructions. In the 16 KiB of the Pentiums these may also evict
-/// lines in every pass over a table that nearly fills the cache. In the two ways of the Raspberry Pi any
-/// three lines that share a set miss each time: about twenty lines of the stack and of constants, in at most
-/// five iterations each. Their sets depend by chance on the length of the environment and on the linker (4 to
-/// 74 misses per query of one cell seen), so the bound there starts from the model without the ways of the
-/// stack.
+/// lines in every pass over a table that nearly fills the cache. In the two ways of the Raspberry Pi and of
+/// the Athlon any three lines that share a set miss each time: about twenty lines of the stack and of
+/// constants, in at most five iterations each. Their sets depend by chance on the length of the environment
+/// and on the linker (4 to 74 misses per query of one cell seen on the Raspberry Pi), so the bound there
+/// starts from the model without the ways of the stack.
 double most_beyond(const std::string& machine) {
     if (machine == "raspberry_pi4") return 100;
+    if (machine == "athlon_thunderbird") return 50;
     return machine.starts_with("pentium") ? 14 : 7.5;
 }
 
@@ -66,7 +67,8 @@ TEST_P(CrosscheckCells, AgreeButForTheStack) {
         const double model = ours["d1_misses_per_query"], tool = theirs["d1_misses_per_query"];
         const double of_poses = model - row["model"]["d1_misses_per_query"].get<double>();
         EXPECT_GT(tool, model - 0.8 - (small_lines ? of_poses / 2 : 0)) << row;
-        const bool by_chance = small_lines || row["machine"] == "raspberry_pi4";
+        const bool by_chance =
+            small_lines || row["machine"] == "raspberry_pi4" || row["machine"] == "athlon_thunderbird";
         const double most = by_chance ? row["at_most"]["d1_misses_per_query"].get<double>() : model;
         EXPECT_LT(tool, most + most_beyond(row["machine"])) << row;
         EXPECT_TRUE(by_chance || tool < 25 || model > 0.75 * tool) << row;

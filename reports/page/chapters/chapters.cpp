@@ -10,13 +10,11 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "edgewise/input/json_text.hpp"
 #include "edgewise/reports/additions.hpp"
 #include "edgewise/reports/answer/answer_text.hpp"
-#include "edgewise/reports/body/body_heat.hpp"
 #include "edgewise/reports/page/html.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/tables/tables.hpp"
@@ -119,17 +117,27 @@ std::string shown_machine(const std::vector<std::string>& machines) {
     return host ? "host" : machines.front();
 }
 
-/// From how many bodies with a table each the layout to take is faster than the paper's: a bracket of
-/// measured numbers of bodies, with the ratios there; empty if none was measured.
+/// A scene's kind and parameters without its number of bodies.
+std::string motion_without_bodies(const ReportCell& cell) {
+    auto parameters = input::json_or_null(cell.scene_parameters);
+    if (parameters.is_object()) parameters.erase("bodies");
+    return scene_kind(cell) + parameters.dump();
+}
+
+/// From how many bodies with a table each the layout to take is faster than the paper's: a bracket of numbers
+/// that were measured in one motion, with the ratios there; empty if none was measured.
 std::string many_tables_sentence(const Answer& answer) {
     const std::optional<Recommendation> take = recommendation_of(answer.own);
     if (!take) return {};
     if (answer.baseline.is(take->algorithm, take->table))
         return "With a table each, the paper's layout is the one to take.";
-    std::map<double, const RankedCell*> by_bodies;
-    for (const SceneRanking& scene : answer.own)
-        if (const RankedCell* cell = scene.find(take->algorithm, take->table))
-            by_bodies[parameter_of(*cell->cell, "bodies").value_or(0)] = cell;
+    std::map<std::string, std::map<double, const RankedCell*>> by_motion;
+    for (const Recommendation::InScene& one : take->scenes)
+        if (const auto bodies = one.cell ? parameter_of(*one.cell->cell, "bodies") : std::nullopt)
+            by_motion[motion_without_bodies(*one.cell->cell)][*bodies] = one.cell;
+    if (by_motion.empty()) return {};
+    const auto numbers = [](const auto& motion) { return motion.second.size(); };
+    const auto& by_bodies = std::ranges::max_element(by_motion, {}, numbers)->second;
     std::string slower, faster;  // the most bodies where it is not faster; the fewest from which on it is
     for (const auto& [bodies, cell] : by_bodies) {
         const std::string at = fmt::format("{} of its time with {} bodies", ratio_text(*cell), bodies);

@@ -67,7 +67,8 @@ double sum_of(const std::vector<ReportCell>& rows, const store::FigureName& name
 std::string errors_sentence(const ReportData& data) {
     double checked = 0, wrong = 0;
     std::map<std::string, double> worst;  // by precision
-    for (const ReportCell* cell : verified_cells(data)) {
+    for (const ReportCell* cell : data.swept()) {
+        if (cell->is_raw()) continue;
         checked += cell->figure("error.checked").value.value_or(0);
         wrong += cell->figure("error.wrong_verdicts").value.value_or(0);
         if (const auto error = cell->figure("error.worst_error_given").value)

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/paper/charts/paper_charts.hpp"
 #include "edgewise/reports/paper/claims/claim_cells.hpp"
 #include "edgewise/reports/paper/claims/claims.hpp"

@@ -9,10 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <optional>
-#include <vector>
 
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

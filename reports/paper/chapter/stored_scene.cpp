@@ -15,10 +15,8 @@ namespace edgewise::reports {
 
 namespace {
 
-using StoredSceneJson = nlohmann::json;
-
 StoredScene parse(const std::string& name, const std::string& text) {
-    const StoredSceneJson file = input::json_or_null(text), vary = input::member_of(file, "vary");
+    const nlohmann::json file = input::json_or_null(text), vary = input::member_of(file, "vary");
     StoredScene scene{name, {}, input::text_member(file, "note"), {}};
     if (vary.is_object())
         for (const auto& item : vary.items()) scene.varied = item.key();

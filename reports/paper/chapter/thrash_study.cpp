@@ -10,7 +10,6 @@
 #include <set>
 
 #include "edgewise/input/json_text.hpp"
-#include "edgewise/reports/paper/chapter/stored_scene.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 #include "edgewise/reports/text/report_text.hpp"
 

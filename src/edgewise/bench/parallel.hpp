@@ -20,7 +20,8 @@ void for_each_index(std::size_t count, const Work& work) {
     const auto run = [&] {
         for (std::size_t i = next++; i < count; i = next++) work(i);
     };
-    std::vector<std::future<void>> workers(std::max(1U, std::thread::hardware_concurrency()));
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::future<void>> workers(std::min(count, processors));
     for (auto& worker : workers) worker = std::async(std::launch::async, run);
     for (auto& worker : workers) worker.wait();
     for (auto& worker : workers) worker.get();

@@ -176,11 +176,6 @@ nlohmann::json rows_of(const BytesArguments& options, const scene::MeshBody& sha
     return rows;
 }
 
-void print_footnotes() {
-    for (const reports::Addition& addition : reports::additions())
-        fmt::print("\n{}", addition.decompositions_text());
-}
-
 int run_bytes(const BytesArguments& options, bool json) {
     const scene::MeshBody shape = chosen_body(options.body);
     const nlohmann::json rows = rows_of(options, shape);
@@ -196,7 +191,9 @@ int run_bytes(const BytesArguments& options, bool json) {
         print_table(rows);
         print_costs(rows);
         if (options.slopes) print_slopes(rows);
-        if (options.footnotes) print_footnotes();
+        if (!options.footnotes) return exit_done;
+        for (const reports::Addition& addition : reports::additions())
+            fmt::print("\n{}", addition.decompositions_text());
     }
     return exit_done;
 }

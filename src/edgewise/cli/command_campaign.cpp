@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/cli/terminal/progress.hpp"
 #include "edgewise/measure/stopwatch.hpp"
@@ -134,6 +135,7 @@ Question question_of(const CampaignArguments& options, const sweep::Shard& shard
                      const std::vector<Cell>& cells) {
     Question question{options.seed, static_cast<std::uint64_t>(options.pairs), source.families(), {}, shard};
     for (const Cell& cell : cells) question.cells.push_back(cell.name);
+    question.of = fmt::format("{} {}", bench::git_revision(), source.print());
     return question;
 }
 
@@ -147,9 +149,12 @@ CampaignProgress start_of(const Question& question, const std::string& path) {
         known->question.pairs = question.pairs;
     if (known->question != question)
         throw std::invalid_argument(fmt::format(
-            "{}: progress of a campaign with another seed, shard, number of pairs, families or cells; name another "
-            "file with --state, or remove it",
+            "{}: progress of a campaign of another program, or with another seed, shard, number of pairs, bodies, "
+            "families or cells; name another file with --state, or remove it",
             path));
+    if (known->next_block == 0 && known->pairs() > 0)
+        throw std::invalid_argument(path +
+                                    ": a sum of parts that are not all there: finish and --add them all");
     return *known;
 }
 
@@ -199,6 +204,9 @@ int add_up(const CampaignArguments& options, bool json) {
         parts.push_back(std::move(*part));
     }
     const CampaignProgress whole = added_up(parts);
+    if (const auto there = read_progress(options.state); there && there->question != whole.question)
+        throw std::invalid_argument(options.state +
+                                    ": progress of another campaign: name another file with --state");
     write_progress(whole, options.state);
     return finish(whole, {}, options.state, json);
 }
@@ -206,7 +214,8 @@ int add_up(const CampaignArguments& options, bool json) {
 int run_campaign(const CampaignArguments& options, bool json) {
     if (!options.add.empty()) return add_up(options, json);
     const sweep::Shard shard = chosen_shard(options.shard);
-    const PairSource source(options.seed, options.families, options.shapes);
+    const PairSource source(options.seed, options.families, options.shapes, {.as_stored = options.as_stored});
+    if (!source.warning().empty()) warn(source.warning());
     if (options.pair) {
         fmt::print("{}\n", scene::case_line(case_of(source, *options.pair),
                                             fmt::format("campaign, seed {}", options.seed)));

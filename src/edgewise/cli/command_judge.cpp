@@ -5,21 +5,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tuple>
 
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/geometry/aabb.hpp"
-#include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"

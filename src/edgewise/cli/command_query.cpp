@@ -6,18 +6,14 @@
 
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <new>
-#include <optional>
 #include <stdexcept>
 
 #include "edgewise/bench/certificates.hpp"
-#include "edgewise/bench/registry.hpp"
 #include "edgewise/cli/options.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/scene/answer_claim.hpp"
 #include "edgewise/scene/case_file.hpp"
-#include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::cli {
 

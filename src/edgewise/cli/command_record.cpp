@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <optional>
 #include <stdexcept>
 
 #include "edgewise/cli/options.hpp"

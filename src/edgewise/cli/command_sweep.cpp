@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
-#include <filesystem>
 #include <map>
-#include <optional>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/cli/options.hpp"
@@ -103,7 +101,7 @@ void refuse_unused(const SweepArguments& options) {
     const bool has_files = std::ranges::any_of(options.shapes, scene::names_mesh_file);
     if (options.each_mesh && !has_files)
         throw std::invalid_argument("--each-mesh is of mesh files: name some with --shape, or leave it out");
-    if (options.as_stored && !has_files && options.scenes.empty())
+    if (options.as_stored && !has_files && std::ranges::none_of(options.scenes, scene::is_scene_file))
         throw std::invalid_argument("--as-stored is of mesh files: name some, or leave it out");
     const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
     if (!options.machines.empty() && !some_caches)
@@ -300,7 +298,10 @@ int run_sweep(const SweepArguments& options, bool json) {
     PartsSummary outcome;
     {
         store::Store store(path);
-        if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
+        if (!shard.is_whole()) {
+            store.set_meta(store::shard_key, shard.text());
+            store.set_meta(store::complete_key, "");  // of an earlier run
+        }
         RunNote note(store, fmt::format("{}", fmt::join(words_of(*options.command), " ")), work.cells());
         outcome = run_parts(work, store, [&](std::size_t cells) { note.add_done(cells); });
         if (!outcome.stopped) {

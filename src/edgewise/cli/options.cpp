@@ -12,7 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "edgewise/cli/command.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/input/output_file.hpp"
 #include "edgewise/measure/machine/quietness.hpp"
@@ -51,7 +50,8 @@ void take_parameter(const std::string& text, scene::SceneParameters& parameters,
                                                     : input::parse_number(text.substr(equals + 1));
     if (!number)
         throw CLI::ValidationError(fmt::format("{} {}: {}; write NAME=NUMBER", option, text, number.error));
-    parameters[text.substr(0, equals)] = *number;
+    if (!parameters.try_emplace(text.substr(0, equals), *number).second)
+        throw CLI::ValidationError(fmt::format("{} {}: given twice: leave one out", option, text));
 }
 
 CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& to,

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"
@@ -21,24 +20,20 @@
 namespace edgewise::scene {
 namespace {
 
-/// The members that a case is made of come first. The others are carried along and not read: sources, notes,
-/// and what an answer should be (`expect`).
-std::vector<std::string> line_members() {
-    const auto words = words_of(
-        "id a b pose_a pose_b source expect note kind tags shapes offset max_extent ortho_err "
-        "input_precision thread_says agrees_with_thread disagreement");
-    return {words.begin(), words.end()};
-}
-
 void refuse_unknown(const Json& object, const std::string& what, const std::vector<std::string>& known) {
     if (!object.is_object()) return;
     if (const std::string unknown = input::unknown_member(object, what, known); !unknown.empty())
         throw JsonFault{unknown};
 }
 
+/// The members that a case is made of come first. The others are carried along and not read: sources, notes,
+/// and what an answer should be (`expect`).
 void refuse_unknown_members(const Json& line) {
-    static const std::vector<std::string> of_line = line_members(), of_body = {"vertices", "faces"},
-                                          of_pose = {"R", "t"};
+    static const auto words = words_of(
+        "id a b pose_a pose_b source expect note kind tags shapes offset max_extent ortho_err "
+        "input_precision thread_says agrees_with_thread disagreement");
+    static const std::vector<std::string> of_line(words.begin(), words.end()),
+        of_body = {"vertices", "faces"}, of_pose = {"R", "t"};
     refuse_unknown(line, "a case line", of_line);
     for (const char* body : {"a", "b"})
         refuse_unknown(member(line, body), std::string("body ") + body, of_body);

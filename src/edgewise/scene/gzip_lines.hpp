@@ -36,6 +36,8 @@ class GzipLines {
         line.clear();
         while (gzgets(file_.get(), buffer_.data(), static_cast<int>(buffer_.size()))) {
             line += buffer_.data();
+            if (gztell(file_.get()) != static_cast<z_off_t>(bytes_before_ + line.size()))
+                throw JsonFault{"a zero byte: the file was cut off or damaged here"};
             if (line.size() > most_line_bytes)
                 throw JsonFault{fmt::format("longer than {} bytes: no recording", most_line_bytes)};
             if (line.ends_with('\n')) break;
@@ -45,6 +47,7 @@ class GzipLines {
         if (error != Z_OK)
             throw JsonFault{"the gzip data is cut off or damaged here: record again, or unpack what is left"};
         checksum_ = checksum_of(std::as_bytes(std::span(line)), checksum_);
+        bytes_before_ += line.size();
         return !line.empty();
     }
     [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
@@ -56,6 +59,7 @@ class GzipLines {
     std::unique_ptr<gzFile_s, Close> file_;
     std::vector<char> buffer_ = std::vector<char>(1 << 16);
     std::uint32_t checksum_ = 0;
+    std::size_t bytes_before_ = 0;  ///< of the lines before
 };
 
 }  // namespace edgewise::scene

@@ -50,6 +50,13 @@ struct JsonFault {
     return value;
 }
 
+/// The member, an array; null when it is absent.
+[[nodiscard]] inline const Json& list_at(const Json& object, const char* key) {
+    const Json& value = member(object, key);
+    if (!value.is_null() && !value.is_array()) throw JsonFault{fmt::format("{} is not an array", key)};
+    return value;
+}
+
 template <std::size_t Count>
 [[nodiscard]] std::array<double, Count> numbers(const Json& list, const std::string& field) {
     if (!list.is_array()) throw JsonFault{fmt::format("{} is not an array of {} numbers", field, Count)};

@@ -46,14 +46,15 @@ struct Recording {
     std::vector<RecordedStep> steps;
     bool has_pairs = false;      ///< the steps have the engine's own pairs
     std::uint32_t checksum = 0;  ///< of the file's text and the cores
-    std::string note;            ///< radii left off, shapes left out; empty if there are none
+    std::string note;            ///< on mesh files, radii left off, shapes left out; empty if there are none
 };
 
 /// Returns true if the path ends like that of a recording: .jsonl, or .jsonl.gz.
 [[nodiscard]] bool names_recording(std::string_view path);
 
-/// Reads a file, plain or gzip. Fails with one line: file:line, what is wrong, what to do.
-[[nodiscard]] Result<Recording> read_recording(const std::string& path);
+/// Reads a file, plain or gzip; `as_stored`: its mesh files (MeshReading). Fails with one line: file:line,
+/// what is wrong, what to do.
+[[nodiscard]] Result<Recording> read_recording(const std::string& path, bool as_stored = false);
 
 /// The queries of the steps in time order, with the pair caches that an engine keeps: a pair that was near in
 /// the step before starts warm, unless the step is a jump. If the steps have more queries than `query_count`,

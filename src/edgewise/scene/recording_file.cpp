@@ -62,7 +62,8 @@ std::size_t choice_at(const Json& header, const char* key, const std::vector<std
 
 class RecordingReader {
   public:
-    explicit RecordingReader(const std::string& path) : folder_(std::filesystem::path(path).parent_path()) {}
+    RecordingReader(const std::string& path, bool as_stored)
+        : folder_(std::filesystem::path(path).parent_path()), as_stored_(as_stored) {}
 
     void read_header(const Json& header) {
         if (text_at(header, "format", "") != "convex-motion")
@@ -78,7 +79,10 @@ class RecordingReader {
             add_body(object, fmt::format("bodies[{}]", kept_.size()));
         if (recording_.bodies.empty())
             throw JsonFault{"bodies: none has a shape with a polytope as its core"};
-        const Json& excluded = member(header, "excluded");
+        for (const RecordedBody& body : recording_.bodies)
+            if (body.parent.value_or(0) >= links_)
+                throw JsonFault{fmt::format("parent {} is none of the {} links", *body.parent, links_)};
+        const Json& excluded = list_at(header, "excluded");
         for (std::size_t i = 0; i < excluded.size(); ++i) {
             const std::string field = fmt::format("excluded[{}]", i);
             if (!excluded[i].is_array() || excluded[i].size() != 2)
@@ -101,12 +105,14 @@ class RecordingReader {
                 fmt::format(R"(t = {} is before the step before: a reset needs "jump": true)", step.time)};
         move_links(line);
         step.links = now_;
-        const Json& asleep = member(line, "asleep");
+        const Json& asleep = list_at(line, "asleep");
         if (!asleep.empty()) step.asleep.resize(links_);
         for (std::size_t i = 0; i < asleep.size(); ++i)
             step.asleep[link(asleep[i], fmt::format("asleep[{}]", i))] = true;
-        step.pairs = pairs(member(line, "pairs"), "pairs", 2);
-        static_cast<void>(pairs(member(line, "contacts"), "contacts", 3));  // a check for people
+        step.pairs = pairs(line, "pairs", 2);
+        if (!recording_.has_pairs && !step.pairs.empty())
+            throw JsonFault{R"(pairs: the header says "none": write "pairs": "broad_phase" there)"};
+        static_cast<void>(pairs(line, "contacts", 3));  // a check for people
         recording_.steps.push_back(std::move(step));
         if (recording_.steps.size() * links_ > most_poses)
             throw JsonFault{
@@ -164,10 +170,11 @@ class RecordingReader {
         return {rotation_matrix(normalised(q)), Vec3d(p.data())};
     }
 
-    Shape shape(const Json& object, const std::string& field) const {
+    Shape shape(const Json& object, const std::string& field) {
         if (!object.is_object()) throw JsonFault{field + " is not an object"};
-        Shape shape{text_at(object, "type", ""), CaseBody{field, {}, {}},
-                    length(object, "radius", field + ".radius", false)};
+        const std::string type = text_at(object, "type", "");
+        Shape shape{type, CaseBody{field, {}, {}},
+                    length(object, "radius", field + ".radius", type == "sphere")};
         std::vector<Vec3d>& vertices = shape.core->vertices;
         if (shape.type == "hull") {
             for (const Json& vertex : array_at(object, "vertices", field + ".vertices"))
@@ -176,8 +183,9 @@ class RecordingReader {
                 shape.core->faces = faces_of(faces, vertices.size(), field + ".faces");
         } else if (shape.type == "mesh") {
             const auto file = folder_ / text_at(object, "file", "");
-            auto mesh = read_mesh_file(file.string(), {.takes_flat = true});
+            auto mesh = read_mesh_file(file.string(), {.as_stored = as_stored_, .takes_flat = true});
             if (!mesh) throw JsonFault{fmt::format("{}: {}", field, mesh.error)};
+            if (!mesh.warning.empty()) notes_.push_back(mesh.warning);
             vertices = mesh->front().body.vertices;
         } else if (shape.type == "box") {
             const Vec3d half = vector(required(object, "half", field + ".half"), field + ".half");
@@ -249,7 +257,7 @@ class RecordingReader {
     }
 
     void move_links(const Json& line) {
-        const Json &poses = array_at(line, "poses", "poses"), &moved = member(line, "moved");
+        const Json &poses = array_at(line, "poses", "poses"), &moved = list_at(line, "moved");
         const std::size_t wanted = moved.is_null() ? links_ : moved.size();
         if (poses.size() != wanted)
             throw JsonFault{fmt::format("poses has {} poses and needs {}, one for each {}link", poses.size(),
@@ -257,15 +265,19 @@ class RecordingReader {
         if (now_.empty() && !moved.is_null())
             throw JsonFault{"moved: the first step needs the poses of all links"};
         now_.resize(links_);
-        for (std::size_t i = 0; i < poses.size(); ++i)
-            now_[moved.is_null() ? i : link(moved[i], fmt::format("moved[{}]", i))] =
-                pose(poses[i], fmt::format("poses[{}]", i));
+        std::vector<bool> given(links_);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const std::size_t at = moved.is_null() ? i : link(moved[i], fmt::format("moved[{}]", i));
+            if (given[at]) throw JsonFault{fmt::format("moved names link {} twice", at)};
+            given[at] = true;
+            now_[at] = pose(poses[i], fmt::format("poses[{}]", i));
+        }
     }
 
-    /// The pairs of a list: each has two bodies first, and perhaps more.
-    std::vector<BodyPair> pairs(const Json& list, const std::string& name, std::size_t members) {
+    /// The pairs of a line's list: each has two bodies first, and perhaps more.
+    std::vector<BodyPair> pairs(const Json& line, const char* name, std::size_t members) {
+        const Json& list = list_at(line, name);
         std::vector<BodyPair> pairs;
-        if (!list.is_null() && !list.is_array()) throw JsonFault{name + " is not an array"};
         for (std::size_t i = 0; i < list.size(); ++i) {
             const std::string field = fmt::format("{}[{}]", name, i);
             if (!list[i].is_array() || list[i].size() != members)
@@ -299,8 +311,8 @@ class RecordingReader {
         for (RecordedBody& body : recording_.bodies) body.core = place[body.core];
     }
 
-    std::string note() const {
-        std::vector<std::string> parts;
+    [[nodiscard]] std::string note() const {
+        std::vector<std::string> parts = notes_;
         double largest = 0;
         std::size_t rounded = 0;
         for (const RecordedBody& body : recording_.bodies) {
@@ -323,8 +335,10 @@ class RecordingReader {
     }
 
     std::filesystem::path folder_;
+    bool as_stored_;
     Recording recording_;
     bool single_ = false;
+    std::vector<std::string> notes_;  ///< on mesh files
     std::vector<Shape> shapes_;
     std::map<std::tuple<std::size_t, double, double, double>, std::uint32_t> cores_;
     std::vector<std::optional<std::uint32_t>> kept_;  ///< the file's bodies: number here, if not left out
@@ -348,14 +362,14 @@ bool names_recording(std::string_view path) {
     return path.ends_with(".jsonl") || path.ends_with(".jsonl.gz");
 }
 
-Result<Recording> read_recording(const std::string& path) {
+Result<Recording> read_recording(const std::string& path, bool as_stored) {
     using Failure = Result<Recording>;
     if (const std::string wrong = input::what_is_wrong_with(path); !wrong.empty())
         return Failure::failure(fmt::format("{}: {}", path, wrong));
     std::size_t number = 0;
     try {
         GzipLines lines(path);
-        RecordingReader reader(path);
+        RecordingReader reader(path, as_stored);
         for (std::string line; ++number, lines.next(line);)
             number == 1 ? reader.read_header(parsed_line(line)) : reader.read_step(parsed_line(line));
         Recording recording = reader.finish(lines);

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +17,6 @@
 #include "edgewise/scene/json_fields.hpp"
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise::scene {
 namespace {
@@ -152,7 +150,11 @@ ScenePoint make_point(const Json& json, const SceneFile& file, const NamedShape&
     for (const auto& [name, value] : object_at(json, "parameters").items())
         given.set("parameters." + name, name, value);
     if (varied_value) given.set("vary." + varied_value->first, varied_value->first, varied_value->second);
-    const auto complete = complete_parameters(file.kind, given.values());
+    const SceneParameters& values = given.values();
+    if (file.recording && file.recording->has_pairs && values.contains("margin") &&
+        (!values.contains("own_pairs") || values.at("own_pairs") == 0))
+        throw JsonFault{"margin is for pairs that are not the engine's: write own_pairs = 1 too"};
+    const auto complete = complete_parameters(file.kind, values);
     if (!complete) throw JsonFault{complete.error};
     return {shape.name, *complete};
 }
@@ -177,8 +179,8 @@ std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& cont
 /// Reads the recording; the scene's shape is its first core.
 void take_recording(const Json& json, const SceneFileContext& context, SceneFile& file) {
     if (!context.bodies.empty()) throw JsonFault{"a recording has its own bodies: name none with --shape"};
-    auto read =
-        read_recording((context.folder / member<std::string>(json, "recording", "", "a file")).string());
+    const auto path = context.folder / member<std::string>(json, "recording", "", "a file");
+    auto read = read_recording(path.string(), context.as_stored);
     if (!read) throw JsonFault{"recording: " + read.error};
     file.recording = std::make_shared<const Recording>(*std::move(read.value));
     const Recording& recording = *file.recording;
@@ -225,7 +227,7 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
     check_members(json);
     SceneFile file;
     file.name = name;
-    file.text = json.dump();
+    file.text = json.dump(-1, ' ', false, Json::error_handler_t::replace);  // a file's name may be no UTF-8
     file.kind = member<std::string>(json, "scene", "", "the name of a scene");
     if (json.contains("recording"))
         take_recording(json, context, file);
@@ -248,6 +250,17 @@ SceneFile read(const std::string& name, const Json& json, const SceneFileContext
     return file;
 }
 
+Result<SceneFile> read_checked(const std::string& name, const Json& json, const SceneFileContext& context) {
+    try {
+        std::string warning;
+        SceneFile file = read(name, json, context, warning);
+        return Result<SceneFile>::success(std::move(file), warning);
+    } catch (const JsonFault& fault) {
+        return Result<SceneFile>::failure(
+            fmt::format("scene file {}: {}", name, without_controls(fault.what)));
+    }
+}
+
 }  // namespace
 
 std::string shape_given_twice(std::span<const NamedShape> shapes) {
@@ -266,16 +279,9 @@ std::string shape_given_twice(std::span<const NamedShape> shapes) {
 
 Result<SceneFile> parse_scene_file(const std::string& name, const std::string& text,
                                    const SceneFileContext& context) {
-    using Failure = Result<SceneFile>;
     const auto json = input::parse_json(text);
-    if (!json) return Failure::failure(fmt::format("scene file {}: {}", name, json.error));
-    try {
-        std::string warning;
-        SceneFile file = read(name, *json, context, warning);
-        return Failure::success(std::move(file), warning);
-    } catch (const JsonFault& fault) {
-        return Failure::failure(fmt::format("scene file {}: {}", name, without_controls(fault.what)));
-    }
+    if (json) return read_checked(name, *json, context);
+    return Result<SceneFile>::failure(fmt::format("scene file {}: {}", name, json.error));
 }
 
 Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext context) {
@@ -283,7 +289,7 @@ Result<SceneFile> read_scene_file(const std::string& path, SceneFileContext cont
     context.folder = file.parent_path();
     if (names_recording(path)) {
         const Json json = {{"scene", recorded_kind}, {"recording", file.filename().string()}};
-        return parse_scene_file(scene_name_at(file), json.dump(), context);
+        return read_checked(scene_name_at(file), json, context);
     }
     const auto text = input::read_file_text(path);
     if (!text) return Result<SceneFile>::failure("scene file " + text.error);

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -70,6 +69,8 @@ class FileBeside {
     void take_place() const {
         const auto folder = fs::path(out_).parent_path();
         sync(path_, O_RDONLY);
+        std::error_code ignored;  // files of a store that was killed would be laid over this one
+        for (const char* const end : {"-wal", "-shm", "-journal"}) fs::remove(out_ + end, ignored);
         fs::rename(path_, out_);
         sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
     }

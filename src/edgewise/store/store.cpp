@@ -144,6 +144,18 @@ std::optional<StoredCell> Store::find_cell(const std::string& build, const std::
     return StoredCell{*std::move(row), figures_of(database_, build, hash)};
 }
 
+std::vector<FigureRow> Store::with_stored_figures(const std::string& build, const std::string& hash,
+                                                  std::vector<FigureRow> figures) const {
+    for (const FigureRow& old : figures_of(database_, build, hash)) {
+        const auto now = std::ranges::find_if(figures, [&](const FigureRow& figure) {
+            return figure.probe == old.probe && figure.name == old.name;
+        });
+        if (old.value && now == figures.end()) figures.push_back(old);
+        if (old.value && now != figures.end() && !now->value) *now = old;
+    }
+    return figures;
+}
+
 std::vector<measure::Round> Store::rounds(const std::string& build, const std::string& hash) const {
     return rounds_of(database_, build, hash);
 }

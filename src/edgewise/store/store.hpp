@@ -38,6 +38,10 @@ class Store {
     /// A cell with its figures and without its rounds.
     [[nodiscard]] std::optional<StoredCell> find_cell(const std::string& build,
                                                       const std::string& hash) const;
+    /// The figures, with those values that only the store has of this cell.
+    [[nodiscard]] std::vector<FigureRow> with_stored_figures(const std::string& build,
+                                                             const std::string& hash,
+                                                             std::vector<FigureRow> figures) const;
     [[nodiscard]] std::set<int> rounds_done(const std::string& build, const std::string& hash) const;
     /// Rounds of a cell, by number.
     [[nodiscard]] std::vector<measure::Round> rounds(const std::string& build, const std::string& hash) const;

@@ -56,6 +56,7 @@ std::unique_ptr<sweep::SharedQueries> shared_queries(const CellChoice& choice) {
     plan.queries = choice.queries;
     plan.seed = choice.seed;
     plan.checked = choice.checked;
+    plan.as_stored = choice.as_stored;
     auto shared = std::make_unique<sweep::SharedQueries>(
         plan, sweep::SceneChoice{choice.scene, choice.parameters}, shape_of(choice));
     if (choice.warn && !shared->note().empty()) choice.warn(shared->note());
@@ -79,8 +80,11 @@ store::CellRow row_of(const CellChoice& choice, const bench::TableType& type, co
     row.scene = choice.scene;
     row.scene_parameters =
         bench::parameters_json(scene::complete_parameters(choice.scene, choice.parameters).or_throw());
-    if (choice.sub_distance != SubDistanceSolver::cofactors && choice.algorithm == "gjk")
-        row.axes = fmt::format("sub_distance={}", to_string(choice.sub_distance));
+    sweep::Axes axes;
+    if (choice.algorithm == "gjk") axes.query.sub_distance = choice.sub_distance;
+    axes.set_needs(choice.needs);
+    if (choice.margin) axes.margin = *choice.margin;
+    row.axes = axes.text();
     row.shape = shape.name;
     row.shape_source = shape.source;
     row.algorithm = choice.algorithm;

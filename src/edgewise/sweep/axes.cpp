@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "edgewise/input/count.hpp"
@@ -92,6 +94,12 @@ void take(Axes& axes, std::string_view entry) {
     } else {
         refuse_unknown(entry, name);
     }
+}
+
+/// Returns true if this plus is a number's, as in "1e+3", and not between two entries.
+bool is_of_number(std::string_view text, std::size_t plus) {
+    return plus > 1 && (text[plus - 1] == 'e' || text[plus - 1] == 'E') &&
+           (std::isdigit(static_cast<unsigned char>(text[plus - 2])) != 0 || text[plus - 2] == '.');
 }
 
 /// Refuses a margin that nothing asks about, and a question about one with a contact tolerance or in batches.
@@ -186,13 +194,15 @@ bool Axes::concerns(std::string_view algorithm) const {
 Axes parse_axes(std::string_view text) {
     Axes axes;
     const std::string_view whole = text;
+    std::set<std::string_view> names;
     while (!text.empty()) {
         const std::size_t plus = text.find('+');
-        // "1e+3" is a number, not two entries.
         std::size_t end = plus;
-        while (end != text.npos && end > 0 && (text[end - 1] == 'e' || text[end - 1] == 'E'))
-            end = text.find('+', end + 1);
-        take(axes, text.substr(0, end));
+        while (end != text.npos && is_of_number(text, end)) end = text.find('+', end + 1);
+        const std::string_view entry = text.substr(0, end);
+        if (!names.insert(entry.substr(0, entry.find('='))).second) refuse(whole, "an axis is given twice");
+        if (end == text.size() - 1) refuse(whole, "an axis is missing after the plus");
+        take(axes, entry);
         text.remove_prefix(end == text.npos ? text.size() : end + 1);
     }
     check_margin(axes, whole);

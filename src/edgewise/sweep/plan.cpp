@@ -32,7 +32,12 @@ class Members {
     template <class Value>
     Members& take(const char* name, Value& to) {
         known_.push_back(name);
-        if (json_.contains(name)) to = json_.at(name).get<Value>();
+        try {
+            if (json_.contains(name)) to = json_.at(name).get<Value>();
+        } catch (const nlohmann::json::exception& fault) {  // "[json...] type must be array, but is string"
+            const std::string_view what = fault.what();
+            throw std::invalid_argument(fmt::format("{}: {}", name, what.substr(what.find(']') + 2)));
+        }
         return *this;
     }
 
@@ -60,7 +65,9 @@ class Members {
 };
 
 SceneChoice read_scene(const nlohmann::json& json) {
-    SceneChoice scene{json.at("name")};
+    if (!json.is_object() || !json.contains("name"))
+        throw std::invalid_argument("scenes must be a list of objects with a name: {\"name\": ..., ...}");
+    SceneChoice scene;
     Members(json)
         .take("name", scene.name)
         .take("parameters", scene.parameters)
@@ -79,7 +86,9 @@ SceneChoice read_scene(const nlohmann::json& json) {
 
 /// Returns the plan with the members of the JSON replaced. Throws std::exception if the JSON is not a plan.
 Plan read_plan(const nlohmann::json& json, Plan plan) {
-    nlohmann::json scenes;
+    if (!json.is_object())
+        throw std::invalid_argument("the file must be one object: {\"scenes\": [...], ...}");
+    std::vector<nlohmann::json> scenes;
     plan.processes = 1;
     Members members(json);
     members.take("scenes", scenes)

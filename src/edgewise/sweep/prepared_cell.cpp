@@ -66,7 +66,8 @@ SharedQueries::SharedQueries(const Plan& plan, const SceneChoice& scene, const s
     : asks_control_(plan.control) {
     auto recording = scene.recording;
     if (!recording && scene::names_recording(scene.name))
-        recording = std::make_shared<const scene::Recording>(scene::read_recording(scene.name).or_throw());
+        recording = std::make_shared<const scene::Recording>(
+            scene::read_recording(scene.name, plan.as_stored).or_throw());
     const auto kind = recording ? std::string(scene::recorded_kind) : scene.name;
     const auto parameters = scene::complete_parameters(kind, scene.parameters).or_throw();
     auto made = recording ? scene::recorded_workload(*recording, parameters, plan.queries)
@@ -195,11 +196,6 @@ PreparedCell::PreparedCell(const bench::TableType& type, std::unique_ptr<bench::
     runner_->configure(options);
 }
 
-std::string PreparedCell::load(const scene::Workload& workload) {
-    workload_ = &workload;
-    return runner_->load(workload);
-}
-
 void PreparedCell::check(SharedQueries& shared) {
     const std::vector<Distance> answers = runner_->answer();
     counts_ = count_answers(answers,
@@ -215,14 +211,6 @@ void PreparedCell::check(SharedQueries& shared) {
     checked_ = check_answers(shared, stored, answers, type_->eps, asked,
                              [&](const scene::Query& query) { return runner_->margin(query); });
     wrong_ = what_is_wrong(shared, checked_, type_->eps);
-}
-
-double PreparedCell::mean_steps() const {
-    return static_cast<double>(counts_.steps) / static_cast<double>(counts_.queries);
-}
-
-double PreparedCell::distances(std::size_t queries) const {
-    return queries > 0 ? distances_[queries - 1] : 0;
 }
 
 void take_turns(std::size_t count, std::uint64_t seed, const std::function<void(std::size_t)>& take) {
@@ -297,11 +285,6 @@ CellRun::CellRun(const bench::TableType& type, const std::string& algorithm, con
     row_.algorithm = algorithm;
     bench::describe_cell(row_, type, body);
     bench::name_cell(row_, body);
-}
-
-void CellRun::make_unavailable(const std::string& reason) {
-    row_.status = store::CellStatus::unavailable;
-    row_.reason = reason;
 }
 
 void CellRun::verify(SharedQueries& shared) {

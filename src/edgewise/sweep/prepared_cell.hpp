@@ -85,7 +85,10 @@ class PreparedCell {
                  const bench::RunnerOptions& options);
 
     /// Builds the tables. Returns an error line if a body cannot be stored. The workload must outlive this.
-    [[nodiscard]] std::string load(const scene::Workload& workload);
+    [[nodiscard]] std::string load(const scene::Workload& workload) {
+        workload_ = &workload;
+        return runner_->load(workload);
+    }
 
     /// Answers every loaded query and checks the sample. `shared` must have the same queries.
     void check(SharedQueries& shared);
@@ -98,9 +101,13 @@ class PreparedCell {
     [[nodiscard]] const std::vector<truth::CheckedAnswer>& checked() const { return checked_; }
     [[nodiscard]] const std::string& wrong() const { return wrong_; }
     [[nodiscard]] const bench::AnswerCounts& counts() const { return counts_; }
-    [[nodiscard]] double mean_steps() const;
+    [[nodiscard]] double mean_steps() const {
+        return static_cast<double>(counts_.steps) / static_cast<double>(counts_.queries);
+    }
     /// Returns the sum of the distances of the first `queries` answers, added in order.
-    [[nodiscard]] double distances(std::size_t queries) const;
+    [[nodiscard]] double distances(std::size_t queries) const {
+        return queries > 0 ? distances_[queries - 1] : 0;
+    }
 
     /// Times one pass. Queries in contact are timed separately if check() found any.
     [[nodiscard]] measure::Timing time(double clock_cost_ns) const {
@@ -138,7 +145,10 @@ class CellRun {
             const Polyhedron& body);
 
     /// Marks the cell as one that does not run, with the reason.
-    void make_unavailable(const std::string& reason);
+    void make_unavailable(const std::string& reason) {
+        row_.status = store::CellStatus::unavailable;
+        row_.reason = reason;
+    }
 
     /// Orders a model of the cell's caches. The machines must outlive the cell.
     void model_caches(const bench::CacheOrder& caches) { caches_ = caches; }

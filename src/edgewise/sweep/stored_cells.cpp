@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/store/merge.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/store/vocabulary.hpp"
-#include "edgewise/sweep/prepared_cell.hpp"
 
 namespace edgewise::sweep {
 
@@ -29,7 +29,8 @@ std::optional<store::CellStatus> StoredCells::status_of(const CellRun& cell) con
     if (!stored) return std::nullopt;
     if (!stored->is_timed()) return stored->status;
     if (!rounds_missing(cell).empty()) return std::nullopt;
-    if (lacks_checks(*stored) || (stored->verified() && lacks_caches(cell, *stored))) return std::nullopt;
+    if (lacks_checks(*stored)) return std::nullopt;
+    if (stored->verified() && (lacks_caches(cell, *stored) || lacks_probes(*stored))) return std::nullopt;
     return stored->status;
 }
 
@@ -97,6 +98,12 @@ std::map<std::string, double> seconds_in(const std::string& store) {
     return seconds;
 }
 
+void StoredCells::put(const CellRun& cell) {
+    const auto& figures = cell.figures();
+    store_.put_cell(build_, cell.row(),
+                    cell.verified() ? store_.with_stored_figures(build_, cell.row().hash, figures) : figures);
+}
+
 void StoredCells::put_heat(const CellRun& cell, const Polyhedron& body) {
     const std::string heat = cell.heat_on_body();
     if (heat.empty()) return;
@@ -113,6 +120,14 @@ void StoredCells::put_others(const store::CellRow& of, double share) {
     const auto before = store_.meta(key);
     if (share > 0 && (!before || share > input::parse_number(*before).value.value_or(0)))
         store_.set_meta(key, fmt::format("{:.4f}", share));
+}
+
+bool StoredCells::lacks_probes(const store::StoredCell& stored) const {
+    if (stored.axes.find("build=default") != std::string::npos) return false;  // time and error alone
+    return std::ranges::any_of(std::array{"bytes", "time"}, [&](std::string_view probe) {
+        const bool wanted = plan_.probes.empty() || std::ranges::count(plan_.probes, probe) > 0;
+        return wanted && std::ranges::count(stored.figures, probe, &store::FigureRow::probe) == 0;
+    });
 }
 
 bool StoredCells::lacks_checks(const store::StoredCell& stored) const {

@@ -51,7 +51,8 @@ class StoredCells {
         return took_in(store_, name_of_time(group));
     }
 
-    void put(const CellRun& cell) { store_.put_cell(build_, cell.row(), cell.figures()); }
+    /// Figures of probes that this plan leaves out stay as an earlier run measured them.
+    void put(const CellRun& cell);
     void put(std::span<const std::pair<std::string, measure::Round>> round) {
         store_.put_round(build_, round);
     }
@@ -65,6 +66,8 @@ class StoredCells {
   private:
     /// Returns true if an earlier run checked fewer answers of the cell than this plan orders.
     [[nodiscard]] bool lacks_checks(const store::StoredCell& stored) const;
+    /// Returns true if an earlier run left out probes that this plan has (--probes).
+    [[nodiscard]] bool lacks_probes(const store::StoredCell& stored) const;
 
     /// Times of a further process are not those of the sweep.
     [[nodiscard]] std::string name_of_time(const std::string& of) const {

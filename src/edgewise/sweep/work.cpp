@@ -16,7 +16,6 @@
 #include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/scene_file.hpp"
 #include "edgewise/scene/scenes.hpp"
-#include "edgewise/scene/shapes.hpp"
 #include "edgewise/store/schema.hpp"
 #include "edgewise/sweep/study.hpp"
 
@@ -109,9 +108,7 @@ SceneWork scene_work(const SceneChoice& choice, const SweepWork& work) {
     check_names(choice, scene.shapes);
     if (choice.layouts.empty()) return scene;
     const std::vector<const bench::TableType*> wanted = bench::select_table_types(choice.layouts);
-    std::erase_if(scene.types, [&](const bench::TableType* type) {
-        return std::find(wanted.begin(), wanted.end(), type) == wanted.end();
-    });
+    std::erase_if(scene.types, [&](const auto* type) { return std::ranges::count(wanted, type) == 0; });
     return scene;
 }
 
@@ -138,6 +135,7 @@ void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, Swe
         if (axes.needs != Needs::witnesses) continue;
         axes.set_needs(file.needs);
         if (file.margin > 0) axes.margin = file.margin;
+        axes = parse_axes(axes.text());  // refuses axes that do not go with the file's needs
     }
     for (const scene::ScenePoint& point : file.points) {
         if (!allows(choice.shapes, point.shape)) continue;

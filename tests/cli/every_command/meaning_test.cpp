@@ -139,7 +139,7 @@ TEST(Manual, PageHasEveryCommandAndIsRoff) {
     for (const std::string& command : listed_commands(folder))
         EXPECT_THAT(page, HasSubstr(".SS " + command + "\n"));
     const Outcome checked = run_in_shell(
-        "command -v man >/dev/null || exit 0; MANWIDTH=80 man -l --warnings edgewise.1 2>&1 >/dev/null | head -5",
+        "command -v man >/dev/null || exit 0; LC_ALL=C MANWIDTH=80 man -l --warnings edgewise.1 2>&1 >/dev/null | head -5",
         {}, folder);
     EXPECT_EQ(checked.out, "");
 }
@@ -147,7 +147,7 @@ TEST(Manual, PageHasEveryCommandAndIsRoff) {
 /// What bash offers at the end of these words.
 std::set<std::string> completions(const std::string& words, const Folder& folder) {
     const Outcome outcome =
-        run_in_shell("bash -c 'source edgewise.bash; COMP_WORDS=(" + words +
+        run_in_shell("LC_ALL=C bash -c 'source edgewise.bash; COMP_WORDS=(" + words +
                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _edgewise; echo \"${COMPREPLY[@]}\"'",
                      {}, folder);
     EXPECT_EQ(outcome.err, "");

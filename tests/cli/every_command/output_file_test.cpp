@@ -216,7 +216,7 @@ TEST(OutputFile, ThatIsNotFinishedIsRemovedAtCtrlC) {
     fs::create_directory(folder / "there");
     Process process(program_path,
                     {"caches", "--queries", "1000000", "--shape", "cube8", "--out", "there/file"}, folder);
-    for (int i = 0; i < 600 && names_in(folder / "there").empty() && !process.has_ended(); ++i)
+    for (int i = 0; i < 6000 && names_in(folder / "there").empty() && !process.has_ended(); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_THAT(names_in(folder / "there"), testing::ElementsAre(HasSubstr("file.")));
     process.send(SIGINT);

@@ -3,6 +3,7 @@
 // Warnings and refusals of mesh files are the same in every format.
 #include <tuple>
 
+#include "edgewise/scene/recording.hpp"
 #include "mesh_texts.hpp"
 
 namespace edgewise::scene {
@@ -99,6 +100,26 @@ TEST_F(MeshNotices, SaysWhatAColladaFileDoes) {
         EXPECT_EQ(stored.warning, "");
         EXPECT_EQ(centre_of(stored), Vec3d(0, 0, 2));
     }
+}
+
+/// A recording's mesh files are turned as those of --shape; its note says so.
+TEST_F(MeshNotices, AreInTheNoteOfARecording) {
+    const std::string same = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1",
+                      lift = "1 0 0 0  0 1 0 0  0 0 1 2  0 0 0 1";
+    std::string link = collada_text(same, lift);
+    write("link.dae", link.replace(link.find("Y_UP"), 4, "Z_UP"));
+    const std::string path =
+        write("mine.jsonl", R"({"format":"convex-motion","version":0,"shapes":)"
+                            R"([{"type":"mesh","file":"link.dae"}],"bodies":[{"shape":0}]})"
+                            "\n"
+                            R"({"t":0,"poses":[[0,0,0,1,0,0,0]]})"
+                            "\n");
+    const auto turned = read_recording(path), stored = read_recording(path, true);
+    ASSERT_TRUE(turned && stored) << turned.error << stored.error;
+    EXPECT_EQ(turned->note,
+              folder() + "/link.dae: turned from Z up to Y up as the file says; --as-stored leaves that out");
+    EXPECT_EQ(stored->note, "");
+    EXPECT_NE(turned->checksum, stored->checksum);
 }
 
 /// Numbers of vertices are a reader's own.

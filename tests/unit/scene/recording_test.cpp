@@ -245,6 +245,9 @@ const BadRecording bad_recordings[] = {
     {R"({"type":"plane"})", R"({"type":"hull","vertices":[]})", ":1: bodies[3]"},
     {R"({"type":"plane"})", R"({"type":"mesh","file":"none.stl"})", "none.stl"},
     {R"("radius":2)", R"("radius":-2)", ":1: shapes[3].radius = -2 must be a number from 0 on"},
+    {R"("radius":2)", R"("r":2)", ":1: shapes[3].radius is missing"},
+    {R"("version":0)", R"("version":0,"excluded":{"a":[0,1]})", ":1: excluded is not an array"},
+    {R"({"shape":2,)", R"({"parent":9,"shape":2,)", ":1: parent 9 is none of the 4 links"},
     {R"({"shape":1,)", R"({"shape":7,)", ":1: bodies[3].shape is 7, but there are 4 shapes"},
     {R"({"shape":1,)", R"({)", ":1: bodies[3].shape is missing"},
     {R"({"shape":2,)", R"({"scale":[1,2,1],"shape":2,)", ":1: bodies[2].scale stretches a rounded shape"},
@@ -261,6 +264,11 @@ const BadRecording bad_recordings[] = {
     {R"("t":1,"poses":[[0)", R"("t":1,"poses":[[NaN)", ":3: not JSON at column"},
     {R"("t":0,)", R"("t":0,"moved":[0,1,2,3],)", ":2: moved: the first step needs the poses of all links"},
     {R"("t":1,)", R"("t":1,"asleep":[4],)", ":3: asleep[0] is 4, but there are 4 links"},
+    {R"("t":1,)", R"("t":1,"asleep":true,)", ":3: asleep is not an array"},
+    {R"("t":1,)", R"("t":1,"moved":1,)", ":3: moved is not an array"},
+    {R"("t":1,)", R"("t":1,"moved":[0,1,2,0],)", ":3: moved names link 0 twice"},
+    {R"("t":1,)", R"("t":1,"pairs":[[0,1]],)", R"(:3: pairs: the header says "none")"},
+    {"\n{\"t\":1", std::string(1, '\0') + "\n{\"t\":1", ":2: a zero byte: the file was cut off or damaged"},
     {R"("t":1,)", R"("t":1,"pairs":[[0,9]],)", ":3: pairs[0] is 9, but there are 5 bodies"},
     {R"("t":1,)", R"("t":1,"pairs":[[1,1]],)", ":3: pairs[0] pairs body 1 with itself"},
     {R"("t":1,)", R"("t":1,"contacts":[[1,2]],)", ":3: contacts[0] is not an array of 3 numbers"},
@@ -329,6 +337,8 @@ TEST(RecordedScene, IsNamedInASceneFileOrByItself) {
     EXPECT_EQ((*direct)->kind, recorded_kind);
     EXPECT_EQ((*direct)->shapes.front().body.vertex_count(), 8U);
     EXPECT_GT((*direct)->points.front().parameters.at("recording"), 0);
+    const auto no_utf8 = find_scene_file(folder.write("min\xff.jsonl", boxes + step(0)));
+    EXPECT_TRUE(no_utf8 && *no_utf8) << (*no_utf8).error;
     const SceneFileContext here{.folder = folder.path()};
     const auto parsed = [&](const std::string& more) {
         return parse_scene_file("mine", R"({"scene": "recorded", "recording": "mine.jsonl")" + more + "}",
@@ -353,6 +363,22 @@ TEST(RecordedScene, IsNamedInASceneFileOrByItself) {
     const auto nothing = make_scene(recorded_kind, *make_shape("cube8"), {}, 1, 10, {});
     ASSERT_FALSE(nothing);
     EXPECT_THAT(nothing.error, HasSubstr("scene 'recorded' is of a file"));
+}
+
+TEST(RecordedScene, TakesNoMarginThatItsPairsDoNotUse) {
+    const TemporaryFolder folder;
+    const SceneFileContext here{.folder = folder.path()};
+    std::string engines = boxes + step(0, R"(,"pairs":[[0,1]])");
+    folder.write("pairs.jsonl",
+                 engines.replace(engines.find(R"("version":0)"), 11, R"("version":0,"pairs":"broad_phase")"));
+    const auto with_margin = [&](const std::string& own_pairs) {
+        return parse_scene_file("mine",
+                                R"({"scene": "recorded", "recording": "pairs.jsonl", "parameters": {)" +
+                                    own_pairs + R"("margin": 0.1}})",
+                                here);
+    };
+    EXPECT_THAT(with_margin("").error, HasSubstr("write own_pairs = 1 too"));
+    EXPECT_EQ(with_margin(R"("own_pairs": 1, )").error, "");
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ TEST(Axes, ReadBackAsTheyAreWritten) {
                              "order=bfs",
                              "order=spatial",
                              "order=rcm",
-                             "sharing=per_instance",
+                             "sharing=per_instance+batch=yes",
+                             "needs=distance+radius=0.02",
                              "sharing=shared",
                              "allocator=jemalloc",
                              "batch=yes",
@@ -115,6 +116,8 @@ TEST(Axes, BadOnesAreOneClearLine) {
     EXPECT_NE(error_of("needs=nearer+contact_tolerance=1").find("leave contact_tolerance out"),
               std::string::npos);
     EXPECT_NE(error_of("radius=-1").find("wants a number"), std::string::npos);
+    EXPECT_NE(error_of("needs=nearer+margin=0.1+margin=0.2").find("given twice"), std::string::npos);
+    EXPECT_NE(error_of("needs=verdict+").find("missing after the plus"), std::string::npos);
     EXPECT_NE(error_of("radius=recorded+needs=within").find("needs=verdict, distance"), std::string::npos);
     EXPECT_NE(error_of("radius=1+needs=depth").find("needs=verdict, distance"), std::string::npos);
     EXPECT_NE(error_of("radius=1+batch=yes").find("leave batch out"), std::string::npos);

@@ -293,9 +293,20 @@ TEST_F(PlanFile, BadOnesAreOneClearLine) {
                 ::testing::AllOf(HasSubstr("nonesuch"), HasSubstr("quick, paper, full")));
     const std::string missing = folder_ / "gone.json";
     EXPECT_THAT(error_of(missing), HasSubstr(missing));
-    for (const char* text : {"", "{", "{\"queries\": \"many\"}", "{\"scenes\": [{}]}", "{\"shapes\": 3}"}) {
+    const std::pair<const char*, const char*> all[] = {
+        {"", ""},
+        {"{", ""},
+        {"[]", "the file must be one object"},
+        {"null", "the file must be one object"},
+        {R"({"queries": "many"})", "queries"},
+        {R"({"scenes": ["tumble"]})", "scenes must be a list of objects with a name"},
+        {R"({"scenes": [{}]})", "scenes must be a list of objects with a name"},
+        {R"({"scenes": {"a": {"name": "cold"}}})", "scenes: type must be array, but is object"},
+        {R"({"shapes": "cube8"})", "shapes: type must be array, but is string"}};
+    for (const auto& [text, said] : all) {
         const std::string path = write(text);
-        EXPECT_THAT(error_of(path), HasSubstr(path)) << text;
+        EXPECT_THAT(error_of(path),
+                    ::testing::AllOf(HasSubstr(path), HasSubstr(said), Not(HasSubstr("json.exception"))));
         EXPECT_THAT(error_of(path), Not(HasSubstr("\n"))) << text;
     }
 }

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -293,7 +292,10 @@ const reports::SceneRanking* Race::scene() const {
     return scenes.empty() ? nullptr : scenes.front();
 }
 
-const reports::RankedCell* Race::taken() const { return scene() ? scene()->choice() : nullptr; }
+const reports::RankedCell* Race::taken() const {
+    const auto take = reports::recommendation_of(answer.shared.empty() ? answer.own : answer.shared);
+    return take ? take->example().cell : scene() ? scene()->choice() : nullptr;
+}
 
 const studies::advise::CacheCost* Race::caches_of(const reports::RankedCell& cell) const {
     const auto found = caches.find(cell.name());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/measure/cache/cache_model.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <utility>

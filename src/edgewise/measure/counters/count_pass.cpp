@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
-#include <span>
 #include <utility>
 
 #include "edgewise/measure/counters/counter_group.hpp"

@@ -5,10 +5,8 @@
 
 #include <cstdio>
 #include <exception>
-#include <string_view>
 #include <utility>
 
-#include "edgewise/measure/cache/scene_caches.hpp"
 #include "edgewise/measure/record/comparison.hpp"
 
 namespace edgewise::measure {

@@ -18,9 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 #include <sstream>
-#include <string_view>
 #include <tuple>
 #include <utility>
 

@@ -9,12 +9,9 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <iterator>
-#include <map>
-#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>

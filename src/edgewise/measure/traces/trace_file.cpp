@@ -9,7 +9,6 @@
 #include <istream>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "edgewise/input/known_names.hpp"

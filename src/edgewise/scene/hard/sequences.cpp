@@ -55,20 +55,14 @@ Mat3d rounded_to_single(const Mat3d& rotation) { return rotation.cast<float>().c
 std::vector<Vec3d> thin_body(Maker& maker) {
     const double thin = maker.spread(thinnest, thickest);
     const double narrow = maker.spread(-11, -1);
-    switch (maker.rng.below(6)) {
-        case 0:
-            return {{1, 0, 0}, {-1, 0, 0}, {0, 1, thin}, {0, -1, thin}, {0, 0, -thin}};  // a folded plate
-        case 1:
-            return Maker::box(1, maker.rng.uniform(0.2, 1), thin);
-        case 2:
-            return Maker::box(1, thin, maker.pick({thin, narrow}));  // a needle, a blade
-        case 3:
-            return {{0, 0, 0}, {1, 0, 0}, {0, thin, 0}, {0, 0, narrow}};
-        case 4:
-            return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, thin}};
-        default:
-            return maker.random_points(4 + maker.rng.below(9), Vec3d(1, 1, thin));
-    }
+    const auto kind = maker.rng.below(6);
+    if (kind == 0)  // a folded plate
+        return {{1, 0, 0}, {-1, 0, 0}, {0, 1, thin}, {0, -1, thin}, {0, 0, -thin}};
+    if (kind == 1) return Maker::box(1, maker.rng.uniform(0.2, 1), thin);
+    if (kind == 2) return Maker::box(1, thin, maker.pick({thin, narrow}));  // a needle, a blade
+    if (kind == 3) return {{0, 0, 0}, {1, 0, 0}, {0, thin, 0}, {0, 0, narrow}};
+    if (kind == 4) return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, thin}};
+    return maker.random_points(4 + maker.rng.below(9), Vec3d(1, 1, thin));
 }
 
 /// A segment or a polygon in the plane z = 0, where the thin bodies lie.
@@ -81,16 +75,10 @@ std::vector<Vec3d> flat_body(Maker& maker) {
 }
 
 std::vector<Vec3d> partner_of(Maker& maker, const std::vector<Vec3d>& thin) {
-    switch (maker.rng.below(4)) {
-        case 0:
-            return thin;
-        case 1:
-            return thin_body(maker);
-        case 2:
-            return flat_body(maker);
-        default:
-            return maker.any_solid();
-    }
+    const auto kind = maker.rng.below(4);
+    if (kind == 0) return thin;
+    if (kind == 1) return thin_body(maker);
+    return kind == 2 ? flat_body(maker) : maker.any_solid();
 }
 
 /// How B lies to A: in one plane, turned over, turned in the plane; crossing by a small angle; or anyhow.

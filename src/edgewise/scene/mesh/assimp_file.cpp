@@ -9,7 +9,6 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
-#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -40,8 +39,6 @@ std::vector<Item> items_of(const Json& json) {
     std::memcpy(static_cast<void*>(items.data()), bytes.data(), items.size() * sizeof(Item));
     return items;
 }
-
-using Parts = Result<std::vector<MeshPart>>;
 
 /// A node's map. Its matrix need not be a rotation.
 Pose from_assimp(const aiMatrix4x4& m) {

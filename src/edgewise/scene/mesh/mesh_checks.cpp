@@ -7,7 +7,6 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/input/known_names.hpp"

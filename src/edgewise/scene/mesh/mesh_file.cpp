@@ -25,7 +25,6 @@ namespace edgewise::scene {
 namespace {
 
 using Bodies = Result<std::vector<MeshBody>>;
-using Parts = Result<std::vector<MeshPart>>;
 
 constexpr std::uint64_t most_mesh_bytes = std::uint64_t{1} << 30;
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <string>
 
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/input/known_names.hpp"
@@ -14,7 +13,6 @@ namespace edgewise::scene {
 
 namespace {
 
-using Parts = Result<std::vector<MeshPart>>;
 using Words = std::vector<std::string_view>;
 
 /// Statements that do not change the points: normals, textures, shading and levels of detail.

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstring>
-#include <string>
 
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/input/known_names.hpp"
@@ -12,8 +11,6 @@
 namespace edgewise::scene {
 
 namespace {
-
-using Parts = Result<std::vector<MeshPart>>;
 
 constexpr std::size_t head_bytes = 84, facet_bytes = 50;  ///< the head ends in the count of facets
 static_assert(std::endian::native == std::endian::little, "binary STL is copied as it lies");

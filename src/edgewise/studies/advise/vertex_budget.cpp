@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <span>
 
 #include "edgewise/bench/parallel.hpp"
 #include "edgewise/geometry/hull/point_set.hpp"

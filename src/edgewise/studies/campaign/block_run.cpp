@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "edgewise/bench/cell.hpp"
@@ -12,7 +11,6 @@
 #include "edgewise/geometry/polyhedron.hpp"
 #include "edgewise/measure/process/thread_usage.hpp"
 #include "edgewise/scene/answer_claim.hpp"
-#include "edgewise/studies/campaign/pair_source.hpp"
 #include "edgewise/studies/single_cell.hpp"
 
 namespace edgewise::studies::campaign {

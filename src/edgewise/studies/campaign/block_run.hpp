@@ -167,10 +167,13 @@ struct Question {
     std::vector<std::string> families;  ///< in turn
     std::vector<std::string> cells;
     sweep::Shard shard;
+    std::string of = {};  ///< the program's revision, and a print of the named bodies
 
-    [[nodiscard]] std::uint64_t blocks() const;
+    [[nodiscard]] std::uint64_t blocks() const { return (pairs + pairs_per_block - 1) / pairs_per_block; }
     /// Returns how many pairs of a block are asked; the last block may have fewer.
-    [[nodiscard]] std::uint64_t pairs_of(std::uint64_t block) const;
+    [[nodiscard]] std::uint64_t pairs_of(std::uint64_t block) const {
+        return std::min(pairs_per_block, pairs - block * pairs_per_block);
+    }
     [[nodiscard]] bool operator==(const Question&) const = default;
 };
 

@@ -9,10 +9,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "edgewise/bench/cell.hpp"
 #include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/tolerance.hpp"
-#include "edgewise/scene/hard/families.hpp"
-#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/truth/exact_body.hpp"
@@ -138,22 +137,12 @@ class RandomPoses {
     }
 
     double wanted_gap(scene::Rng& rng) const {
-        switch (rng.below(8)) {
-            case 0:
-                return size_ * rng.uniform(0.1, 3);
-            case 1:
-            case 2:
-                return size_ * power(rng, 3, 10);
-            case 3:
-            case 4:
-                return size_ * power(rng, 10, 36);
-            case 5:
-                return -size_ * rng.uniform(0, 0.2);
-            case 6:
-                return -size_ * power(rng, 3, 10);
-            default:
-                return -size_ * power(rng, 10, 36);
-        }
+        const auto kind = rng.below(8);
+        if (kind == 0) return size_ * rng.uniform(0.1, 3);
+        if (kind <= 2) return size_ * power(rng, 3, 10);
+        if (kind <= 4) return size_ * power(rng, 10, 36);
+        if (kind == 5) return -size_ * rng.uniform(0, 0.2);
+        return -size_ * (kind == 6 ? power(rng, 3, 10) : power(rng, 10, 36));
     }
 
     truth::ScannedBody a_, b_;
@@ -300,13 +289,21 @@ std::vector<std::string> campaign_families() {
 }  // namespace
 
 PairSource::PairSource(std::uint64_t seed, const std::vector<std::string>& families,
-                       const std::vector<std::string>& shapes)
+                       const std::vector<std::string>& shapes, const scene::MeshReading& reading)
     : seed_(seed) {
-    for (const std::string& family : families.empty() ? campaign_families() : families) add(family, shapes);
+    for (const std::string& family : families.empty() ? campaign_families() : families)
+        add(family, shapes, reading);
     if (names_.empty()) throw std::invalid_argument("no family of pairs: name a body with --shape");
 }
 
-void PairSource::add(const std::string& family, const std::vector<std::string>& shapes) {
+std::string PairSource::print() const {
+    bench::Fingerprint print;
+    for (const auto& [name, body] : shapes_) print.add(body);
+    return print.hex();
+}
+
+void PairSource::add(const std::string& family, const std::vector<std::string>& shapes,
+                     const scene::MeshReading& reading) {
     const std::vector<std::string> known = campaign_families();
     if (std::ranges::find(known, family) == known.end())
         throw std::invalid_argument(
@@ -318,7 +315,9 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
     }
     for (const std::string& shape : shapes) {
         const std::string name = std::string(random_family) + " " + shape;
-        if (!shapes_.emplace(name, scene::named_shape(shape).or_throw().body).second)
+        auto read = scene::named_shape(shape, reading);
+        if (!read.warning.empty()) warning_ += (warning_.empty() ? "" : "; ") + read.warning;
+        if (!shapes_.emplace(name, std::move(read).or_throw().body).second)
             throw std::invalid_argument(fmt::format("shape '{}' is given twice: leave one out", shape));
         names_.push_back(name);
     }

@@ -20,6 +20,7 @@
 
 #include "edgewise/geometry/result.hpp"
 #include "edgewise/scene/hard/families.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/scene/workload.hpp"
 
 namespace edgewise::studies::campaign {
@@ -50,18 +51,25 @@ class PairSource {
     /// Families by name: "random", one for each shape, and those of scene::hard_families(). `shapes`: as
     /// scene::make_shape takes them. Throws std::invalid_argument that lists the known names.
     PairSource(std::uint64_t seed, const std::vector<std::string>& families,
-               const std::vector<std::string>& shapes);
+               const std::vector<std::string>& shapes, const scene::MeshReading& reading = {});
 
     /// Names in the order in which they take turns: "random cube8", "grazing".
     [[nodiscard]] const std::vector<std::string>& families() const { return names_; }
+
+    /// What was done to bodies of mesh files; empty: nothing.
+    [[nodiscard]] const std::string& warning() const { return warning_; }
+    /// Names the bodies' contents: equal for equal bodies.
+    [[nodiscard]] std::string print() const;
 
     /// Returns the first `count` pairs of a block.
     [[nodiscard]] Block block(std::uint64_t number, std::uint64_t count = pairs_per_block) const;
 
   private:
-    void add(const std::string& family, const std::vector<std::string>& shapes);
+    void add(const std::string& family, const std::vector<std::string>& shapes,
+             const scene::MeshReading& reading);
 
     std::uint64_t seed_;
+    std::string warning_;
     std::vector<std::string> names_;
     std::map<std::string, Polyhedron> shapes_;              ///< of random families, by the family's name
     std::map<std::string, const scene::HardFamily*> hard_;  ///< by the family's name

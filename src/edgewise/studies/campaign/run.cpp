@@ -19,7 +19,6 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/case_text.hpp"
 #include "edgewise/scene/minimise.hpp"
-#include "edgewise/studies/campaign/pair_source.hpp"
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::studies::campaign {
@@ -106,7 +105,7 @@ Tally tally_of(const nlohmann::json& text) {
 
 namespace {
 
-constexpr int file_version = 1;
+constexpr int file_version = 2;
 
 CampaignProgress progress_of(const nlohmann::json& object) {
     if (object.at("version").get<int>() != file_version) throw std::invalid_argument("of another version");
@@ -118,6 +117,7 @@ CampaignProgress progress_of(const nlohmann::json& object) {
     question.cells = object.at("cells_asked").get<std::vector<std::string>>();
     const auto nothing = [](const char*) -> const char* { return nullptr; };
     question.shard = sweep::parse_shard(object.at("shard").get<std::string>(), nothing).or_throw();
+    question.of = object.at("program_and_bodies").get<std::string>();
     progress.next_block = object.at("next_block").get<std::uint64_t>();
     progress.seconds = object.at("seconds").get<double>();
     progress.tally = tally_of(object);
@@ -130,12 +130,6 @@ CampaignProgress progress_of(const nlohmann::json& object) {
 }
 
 }  // namespace
-
-std::uint64_t Question::blocks() const { return (pairs + pairs_per_block - 1) / pairs_per_block; }
-
-std::uint64_t Question::pairs_of(std::uint64_t block) const {
-    return std::min(pairs_per_block, pairs - block * pairs_per_block);
-}
 
 std::uint64_t CampaignProgress::pairs() const {
     const FamilyTally all = tally.all_families();
@@ -151,6 +145,7 @@ nlohmann::json to_json(const CampaignProgress& progress) {
     object["families_in_turn"] = question.families;
     object["cells_asked"] = question.cells;
     object["shard"] = question.shard.text();
+    object["program_and_bodies"] = question.of;
     object["next_block"] = progress.next_block;
     object["seconds"] = progress.seconds;
     return object;
@@ -204,7 +199,7 @@ CampaignProgress added_up(std::span<const CampaignProgress> parts) {
         same.shard = shard;
         if (part.question != same || shard.count != parts.front().question.shard.count)
             throw std::invalid_argument(
-                "parts of different campaigns: seed, pairs, families, cells or shards differ");
+                "parts of different campaigns: seed, pairs, families, bodies, cells, program or shards differ");
         if (!seen.insert(shard.index).second)
             throw std::invalid_argument("shard " + shard.text() + " comes twice");
         whole.tally.add(part.tally);
@@ -221,9 +216,7 @@ namespace {
 std::string id_of(const Failure& failure) {
     std::string id =
         failure.what.substr(0, failure.what.find(':')) + " of " + failure.cell + " in " + failure.family;
-    for (char& c : id) {
-        if (c == ' ') c = '_';
-    }
+    std::ranges::replace(id, ' ', '_');
     return id;
 }
 

@@ -5,13 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/bench/build_info.hpp"

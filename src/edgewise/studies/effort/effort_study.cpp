@@ -2,8 +2,6 @@
 //
 // The effort run as a study.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <mutex>
 #include <optional>
@@ -159,7 +157,7 @@ bool store_effort(const EffortPlan& plan, const std::string& build, store::Store
     return run_effort(
         plan, lacks_counts,
         [&](std::size_t place, const store::StoredCell& row) {
-            store.put_cell(build, row, row.figures);
+            store.put_cell(build, row, store.with_stored_figures(build, row.hash, row.figures));
             on_row(place, row);
         },
         stop);

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/paging/paging.hpp"
 
-#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
 

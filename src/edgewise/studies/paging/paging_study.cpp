@@ -4,8 +4,6 @@
 // Runs the paper's cell, V-Clip on its own layout, and GJK, a lean layout and a smaller body, as far as this
 // program has them. Limits are parts of what the tables touch, from an eighth to more than all.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "edgewise/bench/build_info.hpp"

@@ -5,14 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <map>
-#include <optional>
+#include <functional>
 #include <utility>
-#include <vector>
-
-#include "edgewise/measure/process/callgrind.hpp"
-#include "edgewise/studies/effort/effort.hpp"
 
 namespace edgewise::studies {
 
@@ -337,9 +331,7 @@ std::vector<PhaseEffort> phases_per_query(const PhaseCounts& few, const PhaseCou
         };
         phases.push_back(per_query(phase, find(few), find(many), passes * queries));
     }
-    std::stable_sort(phases.begin(), phases.end(), [](const PhaseEffort& a, const PhaseEffort& b) {
-        return a.instructions > b.instructions;
-    });
+    std::ranges::stable_sort(phases, std::greater{}, &PhaseEffort::instructions);
     return phases;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "edgewise/measure/statistics.hpp"
-#include "edgewise/store/vocabulary.hpp"
 
 namespace edgewise::studies {
 

@@ -2,7 +2,6 @@
 #include "edgewise/studies/thrash/factorial.hpp"
 
 #include <algorithm>
-#include <array>
 #include <mutex>
 #include <stdexcept>
 

@@ -86,12 +86,18 @@ class OldMachine {
 
     [[nodiscard]] const std::string& name() const { return machine_->name; }
     [[nodiscard]] double ns_of_cycles(double cycles) const { return cycles * 1000 / machine_->clock_mhz; }
-    [[nodiscard]] std::uint64_t lines(std::size_t level) const;
-    [[nodiscard]] std::uint64_t tlb_pages() const;
+    [[nodiscard]] std::uint64_t lines(std::size_t level) const {
+        return machine_->caches.bytes_of(level) / line_bytes;
+    }
+    [[nodiscard]] std::uint64_t tlb_pages() const { return machine_->tlbs.bytes_of(0) / page_bytes; }
 
     /// Return the latency of an answer, minus the latency of the first level.
-    [[nodiscard]] double second_level_ns() const;
-    [[nodiscard]] double memory_ns() const;
+    [[nodiscard]] double second_level_ns() const {
+        return ns_of_cycles(machine_->origins[1].latency_cycles - machine_->origins[0].latency_cycles);
+    }
+    [[nodiscard]] double memory_ns() const {
+        return ns_of_cycles(machine_->memory.latency_cycles - machine_->origins[0].latency_cycles);
+    }
     /// Returns the time of a page walk: it reads two tables (32-bit processors), assumed in the second level.
     [[nodiscard]] double walk_ns() const { return 2 * second_level_ns(); }
 

@@ -136,20 +136,6 @@ OldMachine::OldMachine(const measure::CacheMachine& machine) : machine_(&machine
                         machine.name, line_bytes));
 }
 
-std::uint64_t OldMachine::lines(std::size_t level) const {
-    return machine_->caches.bytes_of(level) / line_bytes;
-}
-
-std::uint64_t OldMachine::tlb_pages() const { return machine_->tlbs.bytes_of(0) / page_bytes; }
-
-double OldMachine::second_level_ns() const {
-    return ns_of_cycles(machine_->origins[1].latency_cycles - machine_->origins[0].latency_cycles);
-}
-
-double OldMachine::memory_ns() const {
-    return ns_of_cycles(machine_->memory.latency_cycles - machine_->origins[0].latency_cycles);
-}
-
 std::vector<OldMachine> old_machines() {
     std::vector<OldMachine> machines;
     for (const char* name : {"pentium2_deschutes", "pentium3_katmai", "pentium3_coppermine"}) {

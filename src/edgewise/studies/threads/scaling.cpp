@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <tbb/info.h>
 
-#include <atomic>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -69,6 +68,7 @@ bench::RunnerOptions runner_options(const CellChoice& choice) {
             fmt::format("needs {}: batches answer verdict, distance or witnesses only; choose one",
                         to_string(choice.needs)));
     bench::RunnerOptions options;
+    options.query.sub_distance = choice.sub_distance;
     options.set_needs(choice.needs);
     return options;
 }

@@ -72,6 +72,26 @@ TEST(Decision, TakesNothingThatWinsASceneAndIsSlowerOnAverage) {
     }
 }
 
+/// It may win elsewhere: a scene whose error it exceeds counts for its mean and its worst error.
+TEST(Decision, TakesNothingThatIsOverTheLimitInAScene) {
+    ReportData data;
+    TimedCell lean = decided_lean;
+    add_decided(data, {decided_paper, lean, decided_double, decided_points_double}, R"({"bodies":10})");
+    lean.error = 2e-6;
+    add_decided(data, {decided_paper, lean, decided_double, decided_points_double}, R"({"bodies":11})");
+    EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f64");
+}
+
+/// Two processes give no interval, and then the mean has none.
+TEST(Decision, HasAnIntervalOnlyIfEveryCellHasOne) {
+    ReportData data = decided_store(decided_contest);
+    EXPECT_THAT(shared_decision(data).facts.front(), HasSubstr("0.72 [0.70, 0.74] of"));
+    for (ReportCell& cell : data.cells) cell.rounds.resize(1);
+    EXPECT_THAT(
+        shared_decision(data).facts.front(),
+        testing::AllOf(HasSubstr(" of the time of the paper's layout"), testing::Not(HasSubstr("["))));
+}
+
 TEST(Decision, SaysTimeBytesErrorAndNearContact) {
     const Decision decision = shared_decision(decided_store(decided_contest));
     EXPECT_EQ(decision.take, "V-Clip on lean_f32");
