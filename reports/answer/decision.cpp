@@ -112,7 +112,7 @@ Decision decision_of(const Answer& answer, bool own_tables) {
     const RankedCell& cell = *take->example().cell;
     Decision decision{cell.name(), {time_fact(*take), bytes_fact(cell)}};
     if (!take->example().ties)
-        decision.facts.front() += "; what wins a scene is slower on average";
+        decision.facts.front() += "; what wins a scene is slower on average or over the limit elsewhere";
     else if (!take->beats_baseline_somewhere())
         decision.facts.front() += "; nothing beats the paper's layout";
     const auto near_error = worst_error_of(answer.near, take->algorithm, take->table);

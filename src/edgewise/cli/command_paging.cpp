@@ -268,20 +268,21 @@ int run_paging(const PagingArguments& options, bool json) {
         limits.push_back(static_cast<std::uint64_t>(mebibytes * (1 << 20)));
     nlohmann::json results = nlohmann::json::array();
     const std::atomic<bool>& stop = stop_on_signals();  // a control group is to be removed
-    for (const bench::TableType* type : bench::select_table_types(options.layouts)) {
+    const auto types = bench::select_table_types(options.layouts);
+    for (const bench::TableType* type : types)
         if (!type->serves(options.algorithm))
             throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
+    for (const bench::TableType* type : types) {
         const studies::PagingResult result = studies::measure_paging(
             *type, options.algorithm, workload, [&](std::uint64_t) { return limits; }, stop);
         if (stop) {
             warn("stopped; nothing is kept of this table");
             return exit_check_failed;
         }
-        if (json) {
+        if (json)
             results.push_back(json_of(result));
-        } else {
+        else
             print(result);
-        }
     }
     if (json) print_json(nlohmann::json({{"paging", results}}));
     return exit_done;

@@ -291,10 +291,8 @@ namespace {
 
 /// Returns the name of a scene's files and charts: letters, digits, _ and -.
 std::string scene_id(std::string name) {
-    for (char& c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (!std::isalnum(byte) && c != '_' && c != '-') c = '_';
-    }
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return !std::isalnum(c) && c != '_' && c != '-'; }, '_');
     return name;
 }
 

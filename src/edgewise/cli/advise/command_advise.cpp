@@ -268,6 +268,10 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
 
 /// Answers from what a store has already.
 int answer_from_store(const AdviseArguments& options, bool json) {
+    if (!options.scene.empty() || options.needs || !options.machines.empty() || options.bodies ||
+        options.turn)
+        throw std::invalid_argument(
+            "--store answers from what was measured: leave --scene, --needs, --machines, --bodies and --turn out");
     reports::Question question;
     question.error_limit = options.error;
     if (options.own || options.shared) question.own_tables = options.own;

@@ -53,9 +53,7 @@ std::uint64_t HeatMap::lines() const {
 }
 
 std::uint64_t HeatMap::lines_taking(double part) const {
-    std::vector<std::uint32_t> hottest;
-    std::copy_if(by_line_.begin(), by_line_.end(), std::back_inserter(hottest),
-                 [](std::uint32_t accesses) { return accesses > 0; });
+    std::vector<std::uint32_t> hottest = by_line_;
     std::sort(hottest.begin(), hottest.end(), std::greater<>());
     const auto all = static_cast<double>(std::accumulate(hottest.begin(), hottest.end(), std::uint64_t{0}));
     std::uint64_t taken = 0, lines = 0;

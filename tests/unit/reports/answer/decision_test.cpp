@@ -82,6 +82,21 @@ TEST(Decision, TakesNothingThatIsOverTheLimitInAScene) {
     EXPECT_EQ(shared_decision(data).take, "V-Clip on lean_f64");
 }
 
+/// Two layouts win a scene each and exceed the limit in the other: the paper's, which wins none, is taken.
+TEST(Decision, TakesThePapersLayoutIfAllWinnersAreOverTheLimitElsewhere) {
+    ReportData data;
+    for (const bool first : {true, false}) {
+        TimedCell lean = decided_lean, points = decided_points;
+        points.ratios = lean.ratios;
+        (first ? points : lean).error = 2e-6;
+        add_decided(data, {decided_paper, lean, points, decided_points_double},
+                    first ? R"({"bodies":10})" : R"({"bodies":11})");
+    }
+    const Decision decision = shared_decision(data);
+    EXPECT_EQ(decision.take, "V-Clip on aos_f64");
+    EXPECT_THAT(decision.facts.front(), HasSubstr("or over the limit elsewhere"));
+}
+
 /// Two processes give no interval, and then the mean has none.
 TEST(Decision, HasAnIntervalOnlyIfEveryCellHasOne) {
     ReportData data = decided_store(decided_contest);
