@@ -25,6 +25,18 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 file(READ ${store_schema} STORE_SCHEMA)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/store_schema.cpp.in ${PROJECT_BINARY_DIR}/registry/store_schema.cpp @ONLY)
 
+# The rows of the table in docs/figures.md are those of store::vocabulary.
+set(figures ${PROJECT_SOURCE_DIR}/docs/figures.md)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${figures})
+file(READ ${figures} page)
+string(FIND "${page}" "| `" first)
+string(SUBSTRING "${page}" ${first} -1 rows)
+string(REGEX REPLACE "[|] `([^`]+)` [|] ([^|]+) [|] ([a-z]+) [|] ([a-z]+) [|] ([^|]+) [|]\n"
+    "    {\"\\1\", \"\\2\", Population::\\3, Repeats::\\4, \"\\5\"},\n" rows "${rows}")
+string(REPLACE "Repeats::yes" "Repeats::exactly" rows "${rows}")
+string(REPLACE "Repeats::no" "Repeats::timed" rows "${rows}")
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/registry/edgewise/store/figure_rows.inc CONTENT "${rows}" @ONLY)
+
 # edgewise_json_text(FILE HEADER NAME): registry/NAME.cpp defines edgewise::NAME, which HEADER declares: the text of the file.
 function(edgewise_json_text FILE HEADER NAME)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${FILE})
@@ -33,7 +45,10 @@ function(edgewise_json_text FILE HEADER NAME)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/json_text.cpp.in ${PROJECT_BINARY_DIR}/registry/${unit}.cpp @ONLY)
 endfunction()
 edgewise_json_text(src/edgewise/measure/counters/events.json measure/counters/events.hpp measure::event_texts)
+edgewise_json_text(src/edgewise/scene/kinds/kinds.json scene/scenes.hpp scene::kind_texts)
+edgewise_json_text(src/edgewise/scene/kinds/kinds.json reports/reader.hpp reports::scene_kind_texts)
 edgewise_json_text(src/edgewise/cli/usage/examples.json cli/usage/usage.hpp cli::example_texts)
+edgewise_json_text(src/edgewise/studies/phases/phases.json studies/phases/phases.hpp studies::phase_texts)
 
 include(jemalloc)
 include(libpfm)
@@ -60,6 +75,7 @@ if(EDGEWISE_SANITIZE)
     add_library(edgewise_steering OBJECT ${steered})
     target_link_libraries(edgewise_steering
         PRIVATE edgewise_library nlohmann_json::nlohmann_json fmt::fmt SQLite::SQLite3 TBB::tbb edgewise_flags)
+    target_include_directories(edgewise_steering PRIVATE ${PROJECT_BINARY_DIR}/registry)
     target_compile_options(edgewise_steering PRIVATE -O0)
     edgewise_unite(edgewise_steering src/edgewise/store/sqlite.cpp src/edgewise/store/store.cpp)
     edgewise_precompile(edgewise_steering <Eigen/Core> <fmt/format.h> <nlohmann/json.hpp> <algorithm> <functional> <map>
@@ -74,10 +90,12 @@ if(EDGEWISE_TUNE)
     set_source_files_properties(src/edgewise/truth/filter/scanned_body.cpp PROPERTIES
         COMPILE_OPTIONS -march=${EDGEWISE_TUNE} SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
-add_library(edgewise_core STATIC ${steering}
+add_library(edgewise_core STATIC ${steering} ${PROJECT_BINARY_DIR}/registry/kind_texts.cpp
     ${sources} ${probe_units} ${lists} ${EDGEWISE_JEMALLOC_OBJECT} ${build_info} ${no_revision}
     ${PROJECT_BINARY_DIR}/registry/scene_texts.cpp ${PROJECT_BINARY_DIR}/registry/plan_texts.cpp
+    ${PROJECT_BINARY_DIR}/registry/phase_texts.cpp
     ${PROJECT_BINARY_DIR}/registry/store_schema.cpp ${PROJECT_BINARY_DIR}/registry/event_texts.cpp)
+target_include_directories(edgewise_core PUBLIC ${PROJECT_BINARY_DIR}/registry)
 target_link_libraries(edgewise_core
     PUBLIC edgewise_library edgewise_measure nlohmann_json::nlohmann_json fmt::fmt TBB::tbb ${GMPXX_LIBRARY} ${GMP_LIBRARY}
     PRIVATE SQLite::SQLite3 ZLIB::ZLIB ${EDGEWISE_LIBPFM_LIBRARY} ${CMAKE_DL_LIBS} edgewise_flags)

@@ -88,7 +88,7 @@ class box : public WithNumberedFeatures<PlacedTable<HalfExtents<typename P::Stor
     }
 
     /// Both kinds of parts are the same here: nothing can be left out.
-    box(const Polyhedron& body, Parts parts, Loader loader = {}) : Base(body, parts, loader) {
+    box(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
         write_body(body);
     }
     using Base::Base;

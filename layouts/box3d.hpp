@@ -81,6 +81,7 @@ class box3d : public HalfEdgeTable<box3d<P, Loader>, BoxPlaces<typename P::Store
 
     /// Both kinds of parts are the same here: the engine keeps everything.
     box3d(const Polyhedron& body, Parts /*parts*/, Loader loader = {}) : Base(body, Parts::features, loader) {
+        assert(body.vertex_ring.size() <= most_neighbours && "stored_body refuses larger ones");
         const auto byte = [](Index i) { return static_cast<std::uint8_t>(i); };
         const std::vector<HalfEdge> successor = this->successors(body);
         for (HalfEdge h = 0; h < successor.size(); ++h)

@@ -12,6 +12,7 @@
 // (most_neighbours, table/stored_body.hpp).
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -54,6 +55,7 @@ class JitterRings : public RingSteps<JitterRings<Stored>> {
     JitterRings(Vertex* vertices, std::uint16_t* neighbours) : vertices_(vertices), neighbours_(neighbours) {}
 
     void fill(const Polyhedron& body) const {
+        assert(body.vertex_ring.size() <= 0xffff && "stored_body refuses larger ones");
         for (Index v = 0; v < body.vertex_count(); ++v) {
             vertices_[v].first = static_cast<std::uint16_t>(body.vertex_offset[v]);
             vertices_[v].end = static_cast<std::uint16_t>(body.vertex_offset[v + 1]);

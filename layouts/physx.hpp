@@ -13,6 +13,7 @@
 // vertices are refused, as in the engine. Seeds are exact maxima here.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -60,6 +61,7 @@ class PhysxRings : public RingSteps<PhysxRings> {
         : valencies_(valencies), neighbours_(neighbours) {}
 
     void fill(const Polyhedron& body) const {
+        assert(body.vertex_count() <= 0xff && "stored_body refuses larger ones");
         for (Index v = 0; v < body.vertex_count(); ++v)
             valencies_[v] = {static_cast<std::uint16_t>(body.ring_of_vertex(v).size()),
                              static_cast<std::uint16_t>(body.vertex_offset[v])};

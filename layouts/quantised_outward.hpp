@@ -2,8 +2,8 @@
 //
 // The table of `quantised`, but the stored body contains the given one: it grows about its middle, by no more
 // than is needed, before it is rounded. For users to whom a missed contact is worse than an early one: bodies
-// that this table calls separated are separated. That holds for solids: a flat body stays flat, rounded to
-// the nearest places.
+// that this table calls separated are separated. That holds for solids: a flat body is rounded to the
+// nearest places.
 #pragma once
 
 #include <string_view>

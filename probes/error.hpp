@@ -112,11 +112,12 @@ class error {
 
     static measure::Figure p999_given(Answers answers) {
         const store::FigureName name("error.p999_error_given");
-        if (answers.size() >= least_for_p999) return at_quantile(name, answers, given, 0.999);
-        return store::no_figure(name,
-                                "of " + std::to_string(answers.size()) +
-                                    " checked answers a p99.9 would say no more than the worst",
-                                "check " + std::to_string(least_for_p999) + " queries or more (--checked)");
+        const std::size_t known = column(answers, given).size();
+        if (known >= least_for_p999) return at_quantile(name, answers, given, 0.999);
+        return store::no_figure(
+            name,
+            "of " + std::to_string(known) + " checked distances a p99.9 would say no more than the worst",
+            "check " + std::to_string(least_for_p999) + " queries or more (--checked)");
     }
 
     static measure::Figure at_quantile(const store::FigureName& name, Answers answers, Error error,

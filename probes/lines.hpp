@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cache lines: the number of distinct lines of 64 bytes that a query reads of both tables, and the share of
-// their bytes that it accessed; cold and warm starts apart. Over the first queries of the scene. In a scene
+// Cache lines: the number of distinct lines of 64 bytes that a query reads of both tables, and the bytes of
+// all its reads; cold and warm starts apart. Over the first queries of the scene. In a scene
 // in time order, over the same number of pairs, followed through fifty steps or more. Padding may lower the
 // first and raise the table's size: a cache pays for lines.
 #pragma once

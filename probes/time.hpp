@@ -54,11 +54,12 @@ class time {
     /// `none`: why no round has such queries.
     static void add(std::vector<measure::Figure>& result, const store::QueryTime& names,
                     std::span<const measure::Round> rounds, measure::PerQuery per_query, const char* none) {
-        std::vector<double> each, baseline;
+        std::vector<double> each, paired, baseline;
         for (const measure::Round& round : rounds) {
             const auto own = (round.timing.*per_query)(), beside = (round.baseline.*per_query)();
+            if (own) each.push_back(*own);
             if (!own || !beside) continue;
-            each.push_back(*own);
+            paired.push_back(*own);
             baseline.push_back(*beside);
         }
         const bool untold = !rounds.empty() && rounds.front().timing.either_queries > 0;
@@ -77,7 +78,8 @@ class time {
         figure(names.ns, measure::median(each));
         figure(names.low, interval ? std::optional(interval->lower) : std::nullopt);
         figure(names.high, interval ? std::optional(interval->upper) : std::nullopt);
-        figure(names.ratio, measure::median(measure::paired_ratios(each, baseline)));
+        result.push_back(store::figure(names.ratio, measure::median(measure::paired_ratios(paired, baseline)),
+                                       each.empty() ? reason : "the baseline has no such query", remedy));
     }
 };
 

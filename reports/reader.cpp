@@ -151,10 +151,12 @@ std::string shown(const SceneLabelJson& value) {
 }
 
 bool goes_without_saying(const std::string& kind, const std::string& name, const SceneLabelJson& value) {
-    return std::ranges::any_of(scene_standards(), [&](const SceneStandard& of) {
-        return of.kind == kind && of.parameter == name && !of.always_said && value.is_number() &&
-               value.get<double>() == of.value;
-    });
+    static const auto kinds = SceneLabelJson::parse(scene_kind_texts);
+    for (const SceneLabelJson& of : kinds)
+        for (const SceneLabelJson& parameter : of["parameters"])
+            if (of["name"] == kind && parameter["name"] == name)
+                return value == parameter["standard"] && !parameter.value("always_said", false);
+    return false;
 }
 
 std::string label(const std::string& scene, const std::vector<std::string>& inside) {
@@ -167,56 +169,7 @@ std::string varied_by(const SceneLabelJson& file) {
     return vary.is_object() && !vary.empty() ? vary.begin().key() : std::string();
 }
 
-constexpr SceneStandard standards[] = {{"static", "occupancy", 0.1},
-                                       {"static", "bodies", 64},
-                                       {"static", "margin", 0},
-                                       {"cold", "distance", 1},
-                                       {"cold", "overlapping", 0.1},
-                                       {"cold", "deepest", 0.5},
-                                       {"gap", "gap", -0.1, true},
-                                       {"gap", "span", 1.1},
-                                       {"tumble", "rotation_step", 0.01, true},
-                                       {"tumble", "translation_step", 0.001},
-                                       {"tumble", "bodies", 12},
-                                       {"tumble", "occupancy", 0.1},
-                                       {"tumble", "margin", 0.2},
-                                       {"tumble", "steps", 100},
-                                       {"tumble", "in_time_order", 0},
-                                       {"tumble", "step_in_dimensions", 0},
-                                       {"tumble", "random_orientation", 0},
-                                       {"tumble", "random_velocities", 0},
-                                       {"tumble", "own_tables", 0},
-                                       {"tumble", "box_of_bodies", 0},
-                                       {"tumble", "precession", 0},
-                                       {"tumble", "least_steps", 0},
-                                       {"tumble", "population", 0},
-                                       {"proximity", "pairs", 30},
-                                       {"proximity", "gap", 0.001},
-                                       {"proximity", "rotation_step", 0.25 / 60},
-                                       {"pressure", "bodies", 600, true},
-                                       {"pressure", "rotation_step", 0.1},
-                                       {"pressure", "gap", 0.1},
-                                       {"pressure", "new_order", 0},
-                                       {"pressure", "least_steps", 0},
-                                       {"pressure", "own_tables", 1},
-                                       {"resting", "bodies", 60},
-                                       {"resting", "fastest_turn", 0.1},
-                                       {"resting", "halvings", 16},
-                                       {"resting", "margin", 0.06},
-                                       {"resting", "asleep", 0.2},
-                                       {"resting", "own_tables", 0},
-                                       {"recorded", "rate", 60},
-                                       {"recorded", "seconds", 0},
-                                       {"recorded", "margin", 0.02},
-                                       {"recorded", "own_pairs", 0},
-                                       {"recorded", "link", -1},
-                                       {"recorded", "segment", 10},
-                                       {"recorded", "own_tables", 0},
-                                       {"recorded", "recording", 0}};
-
 }  // namespace
-
-std::span<const SceneStandard> scene_standards() { return standards; }
 
 std::optional<double> parameter_of(const store::CellRow& cell, const std::string& name) {
     const SceneLabelJson number = input::member_of(input::json_or_null(cell.scene_parameters), name);
@@ -275,7 +228,8 @@ std::string scene_kind(const ReportCell& cell) {
 }
 
 bool has_own_tables(const ReportCell& cell) {
-    return parameter_of(cell, "own_tables").value_or(scene_kind(cell) == "pressure") == 1;
+    if (const auto own = parameter_of(cell, "own_tables")) return *own == 1;
+    return scene_kind(cell) == "pressure";
 }
 
 bool is_near_contact(const ReportCell& cell) {

@@ -69,15 +69,8 @@ struct ReportData {
 // scene in one sentence, how much a query has in common with the previous query of its pair, and how many
 // tables the queries go through: the break-even map finds a winner by coherence, tables and vertices.
 
-/// A parameter's standard value, which a label omits unless scenes of the kind differ by it.
-struct SceneStandard {
-    std::string_view kind, parameter;
-    double value;
-    bool always_said = false;
-};
-/// Returns the standard values, equal to those of `edgewise list scenes` (a test of the command line compares
-/// the two).
-[[nodiscard]] std::span<const SceneStandard> scene_standards();
+/// The text of scene/kinds/kinds.json: a label omits a parameter's standard value, unless it is always said.
+extern const char* const scene_kind_texts;
 
 /// Returns "tumble (rotation_step 0.1, bodies 100)"; for a scene file, given as its JSON, its name and the
 /// value of what it varies: "more_bodies (bodies 200)".

@@ -89,6 +89,19 @@ Gaps gaps_of(const ReportData& data) {
 /// Cells of one scene by shape.
 using ByShape = std::map<std::string, std::vector<const ReportCell*>>;
 
+/// Keeps the cells of one number of queries and one seed, of which most were timed: processes of one cell
+/// answer the same queries.
+void keep_one_population(std::vector<const ReportCell*>& cells) {
+    std::map<std::pair<std::int64_t, std::uint64_t>, std::size_t> timed;
+    for (const ReportCell* cell : cells)
+        if (cell->is_timed() && !cell->judged()) ++timed[{cell->queries, cell->seed}];
+    if (timed.size() < 2) return;
+    const auto most =
+        std::ranges::max_element(timed, {}, [](const auto& one) { return std::pair(one.second, one.first); });
+    std::erase_if(
+        cells, [&](const ReportCell* cell) { return std::pair(cell->queries, cell->seed) != most->first; });
+}
+
 /// Returns the scenes as the cells come.
 std::vector<ByShape> scenes_of(const ReportData& data) {
     std::vector<ByShape> scenes;
@@ -98,6 +111,8 @@ std::vector<ByShape> scenes_of(const ReportData& data) {
         if (place == scenes.size()) scenes.emplace_back();
         scenes[place][cell->shape].push_back(cell);
     }
+    for (ByShape& shapes : scenes)
+        for (auto& [shape, cells] : shapes) keep_one_population(cells);
     return scenes;
 }
 

@@ -103,9 +103,11 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
                   noise, intervals_sentence(answer));
     if (any_unfinished(answer.runs)) {
         const std::size_t missing = missing_cells(answer.runs);
-        text.counts = fmt::format("A sweep did not finish: {}; the same command goes on from there. ",
-                                  missing > 0 ? plural(missing, "cell") + " of its plan are missing"
-                                              : std::string("what follows its cells is missing"));
+        text.counts =
+            fmt::format("A sweep did not finish: {}; the same command goes on from there. ",
+                        missing > 0 ? fmt::format("{} of its plan {} missing", plural(missing, "cell"),
+                                                  missing == 1 ? "is" : "are")
+                                    : std::string("what follows its cells is missing"));
     }
     const CellCounts& counts = answer.counts;
     text.counts += fmt::format("{} of {} verified, {} failed", counts.verified, plural(counts.cells, "cell"),
@@ -119,7 +121,7 @@ AnswerText answer_text(const Answer& answer, const ReportData& data) {
 }
 
 std::string tie_set_text(const SceneRanking& scene) {
-    if (scene.ties.empty()) return "nothing is within the error";
+    if (scene.ties.empty()) return "nothing is known to be within the error";
     std::string cells;
     for (const std::size_t i : scene.ties)
         append(cells, scene.cells[i].name() + " " + ratio_text(scene.cells[i]), "; ");

@@ -40,7 +40,8 @@ struct AnswerText {
 /// Returns "0.72 [0.69, 0.83]"; two decimals, because a further one would not repeat in another process.
 [[nodiscard]] std::string ratio_text(const RankedCell& cell);
 /// Returns the tie set of a scene, the winner first, as every output: "alone: V-Clip on lean_f32 0.72 [0.70,
-/// 0.74]", "2 tie: A 0.72 [0.70, 0.74]; B 0.75 [0.73, 0.77]", or that nothing is within the error.
+/// 0.74]", "2 tie: A 0.72 [0.70, 0.74]; B 0.75 [0.73, 0.77]", or that nothing is known to be within the
+/// error.
 [[nodiscard]] std::string tie_set_text(const SceneRanking& scene);
 /// Returns the bytes of all tables of the cell's scene, "5.8 MiB in 200 tables".
 [[nodiscard]] std::string scene_bytes_text(const RankedCell& cell);

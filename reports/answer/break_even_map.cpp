@@ -262,9 +262,10 @@ std::string break_even_sentence(const BreakEvenMap& map) {
     std::string names;
     for (const auto& [name, count] : most) append(names, fmt::format("{} {}", name, count));
     return fmt::format(
-        "Of {} that were measured, one algorithm and layout wins in {}{}; several tie in {}, and {} are too "
+        "Of {} that were measured, one algorithm and layout wins in {}{}; several tie in {}, and {} {} too "
         "noisy to rank.",
-        plural(map.measured(), "place"), won, names.empty() ? "" : " (" + names + ")", tied, noisy);
+        plural(map.measured(), "place"), won, names.empty() ? "" : " (" + names + ")", tied, noisy,
+        noisy == 1 ? "is" : "are");
 }
 
 std::vector<std::string> break_even_lines(const BreakEvenMap& map) {

@@ -87,7 +87,7 @@ std::vector<std::string> why_nothing_is_taken(const std::vector<SceneRanking>& s
         if (scene.winner() && !scene.recommends())
             append(why, fmt::format("{}: {}", scene.label, scene.why_not()), "; ");
     if (scenes.empty()) return {"not measured; measure it with: " + command};
-    if (why.empty()) return {"nothing is within the error"};
+    if (why.empty()) return {"nothing is known to be within the error"};
     return {
         fmt::format("too few cells ({}); measure more with: {}", why, command),
         prose("contest.md", fmt::arg("small", small_bytes_per_edge), fmt::arg("fast", store::fast_ratio))};
@@ -113,8 +113,10 @@ Decision decision_of(const Answer& answer, bool own_tables) {
     Decision decision{cell.name(), {time_fact(*take), bytes_fact(cell)}};
     if (!take->example().ties)
         decision.facts.front() += "; what wins a scene is slower on average or over the limit elsewhere";
-    else if (!take->beats_baseline_somewhere())
+    else if (std::ranges::none_of(take->scenes, [](const auto& one) { return one.scene->beats_baseline; }))
         decision.facts.front() += "; nothing beats the paper's layout";
+    else if (!take->beats_baseline_somewhere())
+        decision.facts.front() += "; where it ties, nothing beats the paper's layout";
     const auto near_error = worst_error_of(answer.near, take->algorithm, take->table);
     if (const double error = std::max(take->worst_error.value_or(0), near_error.value_or(0)); error > 0)
         decision.facts.push_back("worst error " + number_text(error, "scale"));
@@ -151,9 +153,9 @@ std::vector<DecisionRow> decision_rows(const ReportData& data, Question question
     return rows;
 }
 
-/// Returns "V-Clip on lean_f32" if more than half of the rows of a column take it; else "V-Clip on lean" if
-/// they do without the precision; else nothing. `all`: set to true if all rows that take something take it.
-std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn column, bool& all) {
+/// Returns "V-Clip on lean_f32" if more than half of the rows of a column that take something take it; else
+/// "V-Clip on lean" if they do without the precision; else nothing. `whom`: set to what it is said of.
+std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn column, std::string& whom) {
     for (const bool with_precision : {true, false}) {
         std::map<std::string, std::size_t> counts;
         std::size_t taking = 0;
@@ -162,7 +164,9 @@ std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn c
             if (!take.empty()) ++taking, ++counts[with_precision ? take : take.substr(0, take.rfind('_'))];
         }
         for (const auto& [take, count] : counts) {
-            all = count == taking;
+            whom = count == rows.size()      ? ""
+                   : 2 * count > rows.size() ? " for most bodies"
+                                             : " for most bodies of which something is recommended";
             if (2 * count > taking) return take;
         }
     }
@@ -173,14 +177,13 @@ std::string decision_sentence(const std::vector<DecisionRow>& rows) {
     std::string text;
     for (const DecisionColumn column : decision_columns) {
         if (std::ranges::all_of(rows, [&](const auto& row) { return (row.*column).take.empty(); })) continue;
-        bool all = false;
-        const std::string take = taken_by_most(rows, column, all);
+        std::string whom;
+        const std::string take = taken_by_most(rows, column, whom);
         append(text,
                fmt::format("{}{}.",
                            column == &DecisionRow::own ? "If every body has a table of its own, "
                                                        : "If your bodies share a table, ",
-                           take.empty() ? "the layout to take depends on the body"
-                                        : fmt::format("take {}{}", take, all ? "" : " for most bodies")),
+                           take.empty() ? "the layout to take depends on the body" : "take " + take + whom),
                " ");
     }
     if (text.empty()) return "Nothing is recommended; the table says why.";

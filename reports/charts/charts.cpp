@@ -214,7 +214,7 @@ void thin(ChartJson& values, std::size_t rows, std::vector<std::string>& notes) 
     const std::size_t step = (values.size() + rows - 1) / rows;
     ChartJson kept = ChartJson::array();
     for (std::size_t i = 0; i < values.size(); i += step) kept.push_back(values[i]);
-    notes.push_back(fmt::format("{} of {} rows are drawn, every {}th; the store has them all.", kept.size(),
+    notes.push_back(fmt::format("{} of {} rows are drawn, one of {}; the store has them all.", kept.size(),
                                 values.size(), step));
     values = std::move(kept);
 }
@@ -232,7 +232,7 @@ void Omissions::write(const std::string& noun, std::vector<std::string>& notes) 
 }
 
 TextGrid data_grid(const ChartJson& values, const std::vector<std::string>& fields) {
-    constexpr std::size_t rows = 30;
+    constexpr std::size_t rows = 6;
     nlohmann::json shown = values;
     if (shown.size() > rows) shown.erase(shown.begin() + rows, shown.end());
     std::string columns;
@@ -303,6 +303,7 @@ ChartJson curve_json(const ReportCell& cell) {
 }
 
 ChartJson timed_row(const ReportCell& cell, Omissions& omitted) {
+    if (cell.judged()) return nullptr;
     if (!cell.verified()) {
         omitted.add(fmt::format("the cell is {}: {}", to_string(cell.status), cell.reason));
         return nullptr;

@@ -46,13 +46,17 @@ AnswerRow row_of(const SceneRanking& scene) {
     AnswerRow row;
     const RankedCell* choice = scene.choice();
     if (!choice) {
-        row.take = "nothing is within the error";
+        row.take = "nothing is known to be within the error";
         return row;
     }
     const RankedCell *gjk = scene.best("gjk"), *baseline = scene.baseline();
     row.take = take_of_scene(scene, *choice), row.tie_set = tie_set_text(scene);
     row.ratio = ratio_text(*choice);
-    row.of_gjk = gjk ? fmt::format("{:.2f}", choice->ratio / gjk->ratio) : "not measured";
+    const bool inexact =
+        std::ranges::any_of(scene.cells, [](const RankedCell& one) { return one.cell->algorithm == "gjk"; });
+    row.of_gjk = gjk       ? fmt::format("{:.2f}", choice->ratio / gjk->ratio)
+                 : inexact ? "over the error"
+                           : "not measured";
     row.bytes = or_not_measured(choice->bytes_per_edge, "B/edge");
     row.lines = or_not_measured(choice->lines_per_query);
     row.error = or_not_measured(choice->worst_error, "scale");
@@ -102,7 +106,8 @@ std::string answer_rows_html(const Answer& answer) {
     std::string rows;
     for (const SceneRanking* scene : scenes) rows += row_html(*scene, axis, answer.shape);
     std::string key = prose("answer_key.md");
-    if (all > scenes.size()) key += fmt::format(" {} more scenes are among all cells.", all - scenes.size());
+    if (all > scenes.size())
+        key += fmt::format(" Among all cells: {} more.", plural(all - scenes.size(), "scene"));
     return fmt::format(fmt::runtime(report_text("page.answer.html")),
                        fmt::arg("limit", limit_text(answer.question.error_limit)),
                        fmt::arg("axis", strip_head_svg(axis)), fmt::arg("rows", rows)) +
@@ -112,13 +117,17 @@ std::string answer_rows_html(const Answer& answer) {
 }  // namespace
 
 TextGrid answer_grid(const Answer& answer) {
-    TextGrid grid{"", columns_of("scene|tables|take|fastest|#time / paper's|#time / best GJK|#bytes per edge|"
-                                 "#lines per query|#worst error")};
+    TextGrid grid{
+        "", columns_of("scene|body|tables|take|fastest|#time / paper's|#time / best GJK|#bytes per edge|"
+                       "#lines per query|#worst error")};
     for (const SceneRanking* scene : answer.scenes()) {
-        if (grid.rows.size() == most_answer_rows) break;
+        if (grid.rows.size() == most_answer_rows) {
+            grid.caption = fmt::format("the first {} of {} scenes", most_answer_rows, answer.scenes().size());
+            break;
+        }
         const AnswerRow row = row_of(*scene);
-        grid.add(scene->label, scene->own_tables ? "each" : "shared", row.take, row.tie_set, row.ratio,
-                 row.of_gjk, row.bytes, row.lines, row.error);
+        grid.add(scene->label, scene->shape, scene->own_tables ? "each" : "shared", row.take, row.tie_set,
+                 row.ratio, row.of_gjk, row.bytes, row.lines, row.error);
     }
     return grid;
 }
@@ -148,7 +157,8 @@ std::string decisions_html(const DecisionTable& table) {
                             decision_cell_html(row.own, "own"));
     return fmt::format(fmt::runtime(report_text("page.decision.html")),
                        fmt::arg("sentence", html_text(table.sentence)), fmt::arg("rows", rows),
-                       fmt::arg("changes", html_list(table.changes, "changes")));
+                       fmt::arg("changes", (table.changes.empty() ? "" : "<p>What would change this:</p>\n") +
+                                               html_list(table.changes, "changes")));
 }
 
 std::string runs_text(const std::vector<SweepRun>& runs) {

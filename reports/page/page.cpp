@@ -108,7 +108,7 @@ class ChapterWriter {
             "<div class=\"chart\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\"><div "
             "id=\"chart-{1}\" data-chart=\"{1}\" data-label=\"{0}\"{2}>\n{3}</div></div>\n",
             html_text(chart.title), html_text(chart.name), room_for(chart),
-            still != pictures_.still.end() ? still->second : grid_html(chart.fallback, 6));
+            still != pictures_.still.end() ? still->second : grid_html(chart.fallback));
         out += shown_first(chart.spec) + paragraph(chart.how_to_read, "note");
         for (const std::string& note : chart.notes) out += html_paragraph(note, "note");
         return out;

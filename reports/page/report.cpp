@@ -138,9 +138,9 @@ std::string decisions_markdown(const ReportData& data, const Answer& answer) {
     for (const DecisionRow& row : table.rows)
         grid.add(fmt::format("{} ({} vertices)", row.shape, row.vertices), row.shared.text(), row.own.text());
     const AnswerText text = answer_text(answer, data);
-    return fmt::format("**{}**\n\n{}What would change this:\n\n{}{} {} {}\n\n", markdown_text(table.sentence),
-                       grid_markdown(grid), list(table.changes), markdown_text(text.conditions),
-                       markdown_text(text.noise), markdown_text(text.counts));
+    return fmt::format("**{}**\n\n{}{}{}{} {} {}\n\n", markdown_text(table.sentence), grid_markdown(grid),
+                       table.changes.empty() ? "" : "What would change this:\n\n", list(table.changes),
+                       markdown_text(text.conditions), markdown_text(text.noise), markdown_text(text.counts));
 }
 
 /// Total and the paper's subtotal of the tables of one shape: the smallest, and the paper's layout.
@@ -168,10 +168,11 @@ std::string fronts_markdown(const Answer& answer) {
         for (const std::size_t i : front_of_time_and_bytes(*scene))
             append(names, mark_text(scene->cells[i]), "; ");
         if (!names.empty())
-            out += fmt::format("- {}: {}\n", markdown_text(scene->label), markdown_text(names));
+            out += fmt::format("- {}, {}: {}\n", markdown_text(scene->label), markdown_text(scene->shape),
+                               markdown_text(names));
         if (std::count(out.begin(), out.end(), '\n') == static_cast<long>(most_answer_rows)) break;
     }
-    return out + "\n";
+    return out.empty() ? out : headed("On the front of time and bytes") + out + "\n";
 }
 
 /// The map as a table of a few bodies.
@@ -214,7 +215,7 @@ std::string chapter_markdown(const Chapter& chapter) {
     for (const ChapterBlock& block : chapter.blocks) {
         for (TextGrid grid : block.grids) {
             if (grid.rows.size() > few_rows && grid.rows.size() > grid.shown_rows) {
-                grid.caption += fmt::format(", the first {} of {}", few_rows, grid.rows.size());
+                append(grid.caption, fmt::format("the first {} of {}", few_rows, grid.rows.size()));
                 grid.rows.resize(few_rows);
             }
             out += grid_markdown(grid);
@@ -227,9 +228,10 @@ std::string report_markdown(const ReportData& data, const Answer& answer, const 
                             const std::string& changes) {
     std::string out = "# Which layout, and what does it cost?\n\n" + decisions_markdown(data, answer);
     out += grid_markdown(answer_grid(answer)) + problems_markdown(data) + changes;
-    if (!answer.scenes().empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
+    const std::string fronts = fronts_markdown(answer);
+    if (!fronts.empty()) out += "![Time against bytes](figures/answer.svg)\n\n";
     if (!pictures.note.empty()) out += markdown_text(pictures.note) + "\n\n";
-    out += headed("On the front of time and bytes") + fronts_markdown(answer);
+    out += fronts;
     out += break_even_markdown(data, answer);
     out += headed("Bytes") + bytes_markdown(data, answer);
     for (const Chapter& chapter : study_chapters(data)) out += chapter_markdown(chapter);

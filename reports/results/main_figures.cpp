@@ -57,13 +57,6 @@ constexpr std::string_view main_families[] = {"caches.{machine}.{level}.misses_p
                                               "caches.{machine}.modelled_memory_ns",
                                               "effort.{machine}.d1_misses", "effort.{machine}.ll_misses"};
 
-std::vector<const store::FigureInfo*> vocabulary() {
-    std::vector<const store::FigureInfo*> all;
-    for (const auto part : store::vocabulary_parts)
-        for (const store::FigureInfo& info : part) all.push_back(&info);
-    return all;
-}
-
 /// The family with * for each pair of braces.
 std::string pattern_of(std::string_view family) {
     std::string pattern;
@@ -76,15 +69,15 @@ std::string pattern_of(std::string_view family) {
 }
 
 struct MainFigures {
-    std::vector<const store::FigureInfo*> infos = vocabulary();
     std::map<std::string_view, std::size_t> plain = {};
     std::vector<std::pair<std::string, std::size_t>> families = {};
 
     MainFigures() {
-        for (std::size_t i = 0; i < infos.size(); ++i) {
-            if (infos[i]->key.find('{') == std::string_view::npos) plain.emplace(infos[i]->key, i);
+        for (std::size_t i = 0; i < std::size(store::vocabulary); ++i) {
+            const std::string_view key = store::vocabulary[i].key;
+            if (key.find('{') == key.npos) plain.emplace(key, i);
             for (const std::string_view family : main_families)
-                if (infos[i]->key == family) families.emplace_back(pattern_of(family), i);
+                if (key == family) families.emplace_back(pattern_of(family), i);
         }
     }
 };
@@ -108,7 +101,7 @@ std::optional<std::size_t> main_place(const std::string& key) {
 
 const store::FigureInfo* main_info(const std::string& key) {
     const auto place = main_place(key);
-    return place ? main_figures().infos[*place] : nullptr;
+    return place ? &store::vocabulary[*place] : nullptr;
 }
 
 std::vector<const ReportCell*> every_cell(const ReportData& data) {

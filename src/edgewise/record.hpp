@@ -81,6 +81,7 @@ class Recorder {
     std::size_t add_sphere(Scalar radius) { return add_shape("sphere", "", radius); }
     /// Along the local z axis.
     std::size_t add_capsule(Scalar half_length, Scalar radius) {
+        if (!(half_length >= 0)) refuse("a half length of a capsule is below 0");
         return add_shape("capsule", R"(,"half_length":)" + number(half_length, "half_length"), radius);
     }
     /// The hull of a mesh file that Edgewise reads; a relative path is relative to the recording.
@@ -91,6 +92,8 @@ class Recorder {
     /// Returns the body's number.
     std::size_t add_body(const Body& body) {
         if (begun_) refuse("a body is added after the first step");
+        for (const Scalar scale : body.scale)
+            if (!(scale > 0)) refuse("a scale of a body is not above 0: mirror its vertices instead");
         bodies_text_ += std::string(bodies_ == 0 ? "" : ",") + R"({"shape":)" +
                         index(body.shape, shapes_, "shape") + R"(,"link":)" + std::to_string(body.link) +
                         R"(,"pose":)" + pose_text(body.pose, "pose") + R"(,"scale":)" +
@@ -99,24 +102,30 @@ class Recorder {
                         R"(,"group":)" + std::to_string(body.group) + R"(,"mask":)" +
                         std::to_string(body.mask) + (body.fixed ? R"(,"fixed":true})" : "}");
         if (body.link >= links_) links_ = body.link + 1;
+        name_link(body.parent);
         return bodies_++;
     }
 
     /// Excludes all pairs of a body on `link_a` and a body on `link_b`.
     void exclude(std::size_t link_a, std::size_t link_b) {
         if (begun_) refuse("a pair is excluded after the first step");
+        name_link(static_cast<std::ptrdiff_t>(link_a));
+        name_link(static_cast<std::ptrdiff_t>(link_b));
         excluded_ +=
             (excluded_.empty() ? "[" : ",[") + std::to_string(link_a) + "," + std::to_string(link_b) + "]";
     }
 
     void step(const Step& step) {
         if (bodies_ == 0) refuse("there are no bodies");
+        if (named_ >= static_cast<std::ptrdiff_t>(links_))
+            refuse("link " + std::to_string(named_) + " is a parent or excluded, and no body is on it");
         if (step.poses.size() != links_)
             refuse(std::to_string(step.poses.size()) + " poses of " + std::to_string(links_) + " links");
         if (!step.pairs.empty() && !has_pairs_)
             refuse("a step has pairs, and the recorder was made for none");
         if (begun_ && step.time < last_time_ && !step.jump) refuse("time goes back without a jump");
         const auto pair_text = [this](const Pair& pair, const std::string& at) {
+            if (pair[0] == pair[1]) refuse(at + " is a body with itself");
             std::string text = "[";
             return text.append(index(pair[0], bodies_, at) + "," + index(pair[1], bodies_, at));
         };
@@ -188,6 +197,11 @@ class Recorder {
         return std::to_string(number);
     }
 
+    /// The next step refuses a link that no body is on by then.
+    void name_link(std::ptrdiff_t link) {
+        if (link > named_) named_ = link;
+    }
+
     std::size_t add_shape(std::string_view type, const std::string& members, Scalar radius) {
         if (begun_) refuse("a shape is added after the first step");
         if (!(radius >= 0)) refuse("a radius is below 0");
@@ -200,6 +214,7 @@ class Recorder {
     bool has_pairs_, begun_ = false;
     std::string header_, shapes_text_, bodies_text_, excluded_;
     std::size_t shapes_ = 0, bodies_ = 0, links_ = 0;
+    std::ptrdiff_t named_ = -1;  ///< the largest link that is a parent or excluded
     double last_time_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `edgewise campaign`: figures, going on after a stop, shards, one pair again, and what is said when
-// something is wrong.
+// `edgewise campaign`: figures, going on after a stop, shards, and one pair again.
 #include <gmock/gmock.h>
 
 #include <chrono>
@@ -118,6 +117,7 @@ TEST(CampaignCommand, GoesOnOnlyWithItsProgramAndBodies) {
     body("1");
     ASSERT_EQ(run(ask, folder).exit_code, 0);
     EXPECT_EQ(run(ask, folder).exit_code, 0) << "done";
+    EXPECT_THAT(run(with(ask, {"--seed", "2"}), folder).err, HasSubstr("another seed"));
     body("2");
     const Outcome other = run(ask, folder);
     EXPECT_EQ(other.exit_code, 2);
@@ -132,25 +132,6 @@ TEST(CampaignCommand, GivesAPairAgainAsACase) {
     const Outcome answer = run({"query", "case.jsonl", "--algorithm", "gjk", "--layout", "aos_f64"}, folder);
     EXPECT_EQ(answer.exit_code, 0) << answer.err;
     EXPECT_EQ(json::parse(answer.out)["id"], "pair 5000");
-}
-
-TEST(CampaignCommand, WhatIsWrongIsOneLine) {
-    const Folder folder;
-    folder.write("other.json", "{}");
-    const std::pair<Arguments, const char*> wrong[] = {
-        {{"campaign", "--families", "easy"}, "unknown family 'easy'"},
-        {{"campaign", "--shapes", "sphere39"}, "sphere"},
-        {{"campaign", "--shard", "9/8"}, "count from 0 to 7"},
-        {{"campaign", "--add", "nothing.json"}, "nothing.json: no such file"},
-        {small({}, "other.json"), "other.json: no progress of a campaign"}};
-    for (const auto& [arguments, says] : wrong) {
-        const Outcome outcome = run(arguments, folder);
-        EXPECT_EQ(outcome.exit_code, 2) << says;
-        EXPECT_THAT(outcome.err, HasSubstr(says));
-        EXPECT_THAT(lines_of(outcome.err), testing::SizeIs(1)) << outcome.err;
-    }
-    ASSERT_EQ(run(small({"--pairs", "100"}), folder).exit_code, 0);
-    EXPECT_THAT(run(small({"--pairs", "100", "--seed", "2"}), folder).err, HasSubstr("another seed"));
 }
 
 }  // namespace

@@ -47,25 +47,5 @@ TEST(BenchGate, ComparesWithWhatItWrote) {
     EXPECT_THAT(slower.out, HasSubstr(": 1 worse"));
 }
 
-TEST(BenchGate, BadInputIsOneLine) {
-    const Folder folder;
-    folder.write("b.json", "{\"edgewise_record\": \"speed\",");
-    Outcome outcome = run(gate_arguments, folder);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("b.json"));
-    EXPECT_THAT(outcome.err, HasSubstr("--write"));
-    folder.write("b.json", R"({"gate": 1, "entries": []})");
-    outcome = run(gate_arguments, folder);
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("version 0.1"), HasSubstr("--write")));
-    for (const Arguments& more : {Arguments{"--scene", "cold"}, Arguments{"--slack", "-1"}}) {
-        outcome = run(with(gate_arguments, more), folder);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_THAT(outcome.err, HasSubstr(more.front()));
-        EXPECT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
-    }
-}
-
 }  // namespace
 }  // namespace edgewise::cli_test

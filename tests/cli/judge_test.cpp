@@ -118,11 +118,17 @@ TEST(Judge, SaysByHowMuch) {
 
 /// The case file that it prints is read again, and is the expected pair: the given one, or, if an available
 /// peer is wrong on it, a smaller one that still shows the fault.
-TEST(Judge, GivesACaseThatIsReadAgain) {
-    const json first = json::parse(judge(dump("fcl390.txt")).out);
+TEST(Judge, WritesACaseAndTestsForOthers) {
+    const json first = json::parse(judge(dump("fcl390.txt"), {"--tests"}).out);
+    EXPECT_THAT(first["tests"]["fcl"].get<std::string>(), HasSubstr("fcl::Convex<double> a("));
+    EXPECT_THAT(first["tests"]["bullet"].get<std::string>(), HasSubstr("btGjkPairDetector"));
     const json second = json::parse(judge(first["case"].dump()).out);
     EXPECT_EQ(second["format"], "case line");
     EXPECT_EQ(second["exact"]["distance"], first["case"]["expect"]["distance"]);
+    const json flat = json::parse(
+        judge(R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[1,2,2]]}})", {"--tests"}).out);
+    EXPECT_EQ(flat["exact"]["distance"], 3);
+    EXPECT_TRUE(flat["tests"]["fcl"].is_null());
 }
 
 /// A pair that all libraries answer right is printed as given.
@@ -134,16 +140,6 @@ TEST(Judge, GivesAnEasyCaseAsItIs) {
     EXPECT_EQ(first["exact"]["distance"], 2);
     EXPECT_EQ(first["case"]["expect"]["distance"], first["exact"]["distance"]);
     EXPECT_EQ(first["case"]["a"]["vertices"].size(), 4U);
-}
-
-TEST(Judge, WritesTestsForOthers) {
-    const json verdict = json::parse(judge(dump("fcl390.txt"), {"--tests"}).out);
-    EXPECT_THAT(verdict["tests"]["fcl"].get<std::string>(), HasSubstr("fcl::Convex<double> a("));
-    EXPECT_THAT(verdict["tests"]["bullet"].get<std::string>(), HasSubstr("btGjkPairDetector"));
-    const json flat = json::parse(
-        judge(R"({"id": "1", "a": {"vertices": [[0,0,0]]}, "b": {"vertices": [[1,2,2]]}})", {"--tests"}).out);
-    EXPECT_EQ(flat["exact"]["distance"], 3);
-    EXPECT_TRUE(flat["tests"]["fcl"].is_null());
 }
 
 TEST(Judge, TakesMeshesWithPoses) {
@@ -164,30 +160,13 @@ TEST(Judge, TakesMeshesWithPoses) {
          {std::pair{"0.001,0,0,3,0,0.001,0,0,0,0,0.001,0", "0.001 times a rotation"},
           {"1,0,0,3,0,1,0,0,0,0,1,0,0,0,0,2", "the fourth row"},
           {"3,0,0,", ""},
-          {"3,0,0x", "'0x'"},
-          {"3,0", "2 numbers"},
-          {"3,,0,0", "a comma stands where a number is wanted"},
-          {"3,0,nan", "'nan' wants a decimal number"}}) {
+          {"3,0", "2 numbers"}}) {
         const Outcome posed =
             run({"judge", "--a", "a.obj", "--b", "b.obj", "--pose-b", pose, "--layouts", "aos_f64"}, folder);
         EXPECT_EQ(posed.exit_code == 2, *why != 0) << pose << posed.err;
         if (*why) {
             EXPECT_THAT(posed.err, testing::AllOf(HasSubstr("--pose-b"), HasSubstr(why)));
         }
-    }
-}
-
-TEST(Judge, RefusesWhatItCannotJudge) {
-    for (const auto& [text, said] : {std::pair{"", "nothing in it"},
-                                     {"Shape 1: Sphere(1)\nX_FS1\nShape 2: Box1 1 1\nX_FS2\n", "Sphere"},
-                                     {"{\"id\": \"1\"}", "a, b are missing"},
-                                     {"s1 = hppfcl.Box(2, 2, 2)\ns2 = hppfcl.Box(2, 2, 2)",
-                                      "a case line of JSON, a message of FCL or Drake"}}) {
-        const Outcome outcome = judge(text);
-        EXPECT_EQ(outcome.exit_code, 2) << text;
-        EXPECT_EQ(outcome.out, "") << text;
-        EXPECT_EQ(lines_of(outcome.err).size(), 1U);
-        EXPECT_THAT(outcome.err, HasSubstr(said));
     }
 }
 

@@ -4,7 +4,6 @@
 // asked for what cannot be measured or answers are wrong.
 #include <gmock/gmock.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "cli_paths.hpp"
@@ -45,20 +44,14 @@ TEST(Scaling, HasARowForOneThreadAndForAllCores) {
             for (const char* way : {"shared", "apart"}) expect_numbers(row[way], row["threads"]);
             EXPECT_GT(row["contention"], 0);
         }
-        std::printf("%s\n", rows.back().dump().c_str());
     }
 }
 
-TEST(Scaling, TablesOfThreadsAreSolvedAsSharedOnesAre) {
+/// Tables of threads are solved as shared ones are.
+TEST(Scaling, PrintsATable) {
     const Folder folder;
     const Outcome outcome = run(
         with(short_scaling, {"--threads", "1", "--algorithm", "gjk", "--sub-distance", "johnson"}), folder);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-}
-
-TEST(Scaling, PrintsATable) {
-    const Folder folder;
-    const Outcome outcome = run(with(short_scaling, {"--threads", "1"}), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(lines_of(outcome.out).size(), 7U) << outcome.out;
     for (const char* word : {"aos_f64", "pressure", "speed-up", "efficiency", "contention", "2 rounds"})

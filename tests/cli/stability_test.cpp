@@ -32,6 +32,21 @@ TEST(Stability, WritesARowForEachFamilyAlgorithmAndTableType) {
     EXPECT_THAT(text_of(folder / "pages/index.html"), HasSubstr("data-chart=\"tolerance\""));
 }
 
+/// A time that is measured again is another one.
+TEST(Stability, MeasuresWhatTheStoreLacks) {
+    const Folder folder;
+    const auto rows_after = [&](const Arguments& more) {
+        const Arguments command = {"stability", "--families", "grazing", "--layouts", "aos_f64",
+                                   "--count",   "5",          "--store", "s.db"};
+        EXPECT_EQ(run(with(command, more), folder).exit_code, 0);
+        return rows_of(folder / "s.db", "select value from figure where name like 'ns_at%' order by 1");
+    };
+    const auto first = rows_after({});
+    EXPECT_FALSE(first.empty());
+    EXPECT_EQ(rows_after({}), first);
+    EXPECT_GT(rows_after({"--proofs", "0"}).size(), first.size()) << "rows of other proofs are others";
+}
+
 /// V-Clip takes no table without faces.
 TEST(Stability, ThatComparedNothingIsNotPassed) {
     const Folder folder;

@@ -16,9 +16,32 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
+const char* const usual_store = "reports/out/edgewise.db";
+
 const Arguments tiny = {"sweep",     "--scenes", "tumble",    "--shapes", "cube8",    "--layouts", "aos",
                         "--queries", "200",      "--checked", "20",       "--rounds", "3",         "--json"};
 
+/// A sweep of two bodies reproduces little; that is a finding, not an error.
+void expect_claims(const Folder& folder) {
+    const Outcome outcome = run({"report", "claims", usual_store, "--json"}, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json all = json::parse(outcome.out);
+    EXPECT_TRUE(all["machine"].is_object());
+    EXPECT_GT(all["claims"].size(), 25u);
+    for (const json& claim : all["claims"]) {
+        for (const char* key : {"id", "kind", "section", "claim", "paper", "ours", "unit", "verdict",
+                                "reason", "rule", "conditions"})
+            EXPECT_TRUE(claim[key].is_string()) << key;
+        EXPECT_TRUE(claim["deterministic"].is_boolean());
+    }
+    const Outcome table = run({"report", "claims", usual_store}, folder);
+    EXPECT_EQ(table.exit_code, 0) << table.err;
+    EXPECT_THAT(lines_of(table.out).at(0), HasSubstr(" not measured")) << "the summary first";
+    EXPECT_THAT(lines_of(table.out).at(1), HasSubstr("layouts/sweep --paper")) << "then the remedy";
+    EXPECT_THAT(table.out, HasSubstr("bytes_per_edge_double"));
+}
+
+/// Nothing is measured twice, and all that is said can be written again from the store.
 TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     const Folder folder;
     const Outcome outcome = run(tiny, folder);
@@ -30,13 +53,22 @@ TEST(Sweep, MeasuresEveryCellAndSaysSoInJson) {
     EXPECT_EQ(summary["verified"], summary["cells"]);
     EXPECT_EQ(summary["failed"], 0);
     EXPECT_EQ(summary["unavailable"], 0);
-    EXPECT_EQ(summary["store"], "reports/out/edgewise.db");
+    EXPECT_EQ(summary["store"], usual_store);
     EXPECT_EQ(summary["report"], "reports/out/index.html");
-    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db").size(), 12u * 3);
+    const auto rounds = rounds_in(folder / usual_store);
+    EXPECT_EQ(rounds.size(), 12u * 3);
     for (const char* page :
          {"reports/out/index.html", "reports/out/report.md", "reports/out/results/tumble.csv"}) {
         EXPECT_GT(text_of(folder / page).size(), 500u) << page;
     }
+    EXPECT_EQ(run(tiny, folder).out, outcome.out);
+    EXPECT_EQ(rounds_in(folder / usual_store), rounds);
+    json of_report = json::parse(run({"report", usual_store, "--out", "again", "--json"}, folder).out);
+    EXPECT_EQ(of_report["report"], "again/index.html");
+    EXPECT_GT(text_of(folder / "again/index.html").size(), 500u);
+    of_report["report"] = summary["report"];
+    EXPECT_EQ(of_report, summary);
+    expect_claims(folder);
 }
 
 /// Plan quick asks GJK on aos elsewhere, in no scene of pressure.
@@ -53,20 +85,25 @@ TEST(Sweep, NamedLayoutsAreAskedInScenesThatThePlanRestricts) {
 TEST(Sweep, TakesFurtherAxesOneAtATimeBesideThePlainCells) {
     const Folder folder;
     const Outcome outcome = run(
-        with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001,sub_distance=johnson,radius=0.1"}),
+        with(tiny, {"--axes", "contact_tolerance=0.01,gap_tolerance=0.001,sub_distance=johnson,radius=0.1",
+                    "needs=nearer,needs=within+margin=1"}),
         folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json summary = json::parse(outcome.out);
-    // The gap and the solver are GJK's alone: five cells for V-Clip's three.
-    EXPECT_EQ(summary["cells"], 2 * 3 * (3 + 5));
     EXPECT_EQ(summary["verified"], summary["cells"]);
-    EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"), HasSubstr("aos_f32 gap_tolerance=0.001"));
-    EXPECT_THAT(text_of(folder / "reports/out/results/tumble.csv"),
-                HasSubstr("aos_f64 sub_distance=johnson"));
-
+    // The gap and the solver are GJK's alone: five cells for V-Clip's three.
+    EXPECT_EQ(rows_of(folder / usual_store, "select 1 from cell where axes not like '%needs=%'").size(),
+              2U * 3 * (3 + 5));
+    const std::string csv = text_of(folder / "reports/out/results/tumble.csv");
+    for (const char* words : {"aos_f32 gap_tolerance=0.001", "aos_f64 sub_distance=johnson", "told_by_bounds",
+                              "needs=nearer+margin=0.1", "aos_f64 needs=within+margin=1"})
+        EXPECT_THAT(csv, HasSubstr(words));
     const Outcome unknown = run(with(tiny, {"--axes", "colour=red"}), folder);
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("axis 'colour=red': unknown; known: contact_tolerance=LENGTH"));
+    const Outcome bench =
+        run({"bench", "model", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
+    EXPECT_EQ(bench.exit_code, 0) << bench.err;
 }
 
 /// The same queries by the same source, compiled with other flags: the same worst error, to the bit.
@@ -95,7 +132,7 @@ TEST(Sweep, FurtherProcessesTimeTheFinalistsAgain) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("process 3 of 3 times the fastest cells again"));
     const auto cells_of = [&](const std::string& of) {
-        return rows_of(folder / "reports/out/edgewise.db",
+        return rows_of(folder / usual_store,
                        "select scene_parameters, algorithm, table_type, axes from cell where run = '" + of +
                            "' order by 1, 2, 3, 4");
     };
@@ -108,41 +145,13 @@ TEST(Sweep, FurtherProcessesTimeTheFinalistsAgain) {
     EXPECT_EQ(cells_of("process 2"), finalists);
 }
 
-TEST(Sweep, AsksForNearnessWithItsMarginInTheCellsName) {
-    const Folder folder;
-    const Outcome outcome = run(with(tiny, {"--axes", "needs=nearer,needs=within+margin=1"}), folder);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const json summary = json::parse(outcome.out);
-    EXPECT_GE(summary["cells"], 2 * 2 * 3)
-        << "both algorithms, each with two questions beside the plain cell";
-    EXPECT_EQ(summary["verified"], summary["cells"]);
-    const std::string csv = text_of(folder / "reports/out/results/tumble.csv");
-    EXPECT_THAT(csv, HasSubstr("needs=nearer+margin=0.1"));
-    EXPECT_THAT(csv, HasSubstr("told_by_bounds"));
-    EXPECT_THAT(csv, HasSubstr("aos_f64 needs=within+margin=1"));
-    const Outcome bench =
-        run({"bench", "model", "--needs", "nearer", "--queries", "100", "--repetitions", "1"}, folder);
-    EXPECT_EQ(bench.exit_code, 0) << bench.err;
-}
-
-TEST(Sweep, MeasuresNothingTwice) {
-    const Folder folder;
-    const Outcome first = run(tiny, folder);
-    const auto rounds = rounds_in(folder / "reports/out/edgewise.db");
-    const Outcome second = run(tiny, folder);
-    EXPECT_EQ(second.exit_code, 0) << second.err;
-    EXPECT_EQ(first.out, second.out);
-    EXPECT_FALSE(rounds.empty());
-    EXPECT_EQ(rounds_in(folder / "reports/out/edgewise.db"), rounds);
-}
-
 /// Times that were measured beside others stay so, whatever is run later: the reader finds the share by
 /// scene.
 TEST(Sweep, KeepsTheShareThatOthersTookWithTheTimes) {
     const Folder folder;
     const Arguments contest = with(tiny, {"--layouts", "lean,points_soa"});
     ASSERT_EQ(run(contest, folder).exit_code, 0);
-    const auto store = folder / "reports/out/edgewise.db";
+    const auto store = folder / usual_store;
     change(store,
            "insert or replace into meta select distinct 'others ' || build || ' ' || scene || ' ' || "
            "scene_parameters || ' ' || shape, '0.99' from cell");
@@ -194,8 +203,7 @@ TEST(Sweep, ShowsABodyThatCannotBeHadAsUnavailable) {
     EXPECT_EQ(summary["cells"], 5);
     EXPECT_EQ(summary["verified"], 1);
     EXPECT_EQ(summary["unavailable"], 4);
-    const auto reasons =
-        rows_of(folder / "reports/out/edgewise.db", "select reason from cell where reason <> ''");
+    const auto reasons = rows_of(folder / usual_store, "select reason from cell where reason <> ''");
     EXPECT_EQ(reasons.size(), 4u);
     EXPECT_THAT(reasons, testing::Each(HasSubstr(".stl")));
 }
@@ -214,45 +222,11 @@ TEST(Sweep, RecordsAFailingCellAndGoesOn) {
     EXPECT_EQ(summary["cells"], 2);
     EXPECT_EQ(summary["failed"], 1);
     EXPECT_EQ(summary["verified"], 1);
-    const auto rows = rows_of(folder / "reports/out/edgewise.db",
+    const auto rows = rows_of(folder / usual_store,
                               "select table_type, status, reason <> '', (select count(*) from round where "
                               "round.hash = cell.hash) from cell order by table_type");
     EXPECT_THAT(rows, testing::ElementsAre("crooked_f64|failed|1|0", "straight_f64|verified|0|3"));
     EXPECT_THAT(text_of(folder / "reports/out/report.md"), HasSubstr("crooked"));
-}
-
-TEST(Report, IsWrittenAnewFromAStore) {
-    const Folder folder;
-    const json of_sweep = json::parse(run(with(tiny, {"--store", "s.db"}), folder).out);
-    const Outcome outcome = run({"report", "s.db", "--out", "again", "--json"}, folder);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    json of_report = json::parse(outcome.out);
-    EXPECT_EQ(of_report["report"], "again/index.html");
-    EXPECT_GT(text_of(folder / "again/index.html").size(), 500u);
-    of_report["report"] = of_sweep["report"];
-    EXPECT_EQ(of_report, of_sweep);
-}
-
-/// A sweep of two bodies reproduces little; that is a finding, not an error.
-TEST(Claims, AreJudgedFromAnyStore) {
-    const Folder folder;
-    ASSERT_EQ(run(with(tiny, {"--store", "s.db"}), folder).exit_code, 0);
-    const Outcome outcome = run({"report", "claims", "s.db", "--json"}, folder);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    const json all = json::parse(outcome.out);
-    EXPECT_TRUE(all["machine"].is_object());
-    EXPECT_GT(all["claims"].size(), 25u);
-    for (const json& claim : all["claims"]) {
-        for (const char* key : {"id", "kind", "section", "claim", "paper", "ours", "unit", "verdict",
-                                "reason", "rule", "conditions"})
-            EXPECT_TRUE(claim[key].is_string()) << key;
-        EXPECT_TRUE(claim["deterministic"].is_boolean());
-    }
-    const Outcome table = run({"report", "claims", "s.db"}, folder);
-    EXPECT_EQ(table.exit_code, 0) << table.err;
-    EXPECT_THAT(lines_of(table.out).at(0), HasSubstr(" not measured")) << "the summary first";
-    EXPECT_THAT(lines_of(table.out).at(1), HasSubstr("layouts/sweep --paper")) << "then the remedy";
-    EXPECT_THAT(table.out, HasSubstr("bytes_per_edge_double"));
 }
 
 }  // namespace

@@ -155,25 +155,5 @@ TYPED_TEST(Planes, DirectionsRunFromTailToHead) {
     std::printf("%s: directions within %.2g steps\n", TypeParam::name, worst);
 }
 
-/// Neighbouring features must read the same number, or V-Clip's decisions contradict each other.
-TYPED_TEST(Planes, AreTheSameNumbersEveryTime) {
-    scene::Rng rng(3);
-    for_each_feature_table<typename TypeParam::Table>(
-        [&]<class T>(const T& table, const Polyhedron& body, const std::string& /*name*/) {
-            const T other(body, Parts::features);
-            for (const auto v : table.all_vertices()) {
-                const auto p = cast<ComputeOf<T>>(rng.in_cube(2));
-                for (const auto [edge, flipped] : table.ring_of_vertex(v)) {
-                    for (const End end : {End::tail, End::head})
-                        EXPECT_EQ(table.vertex_edge_plane(edge, end).distance(p),
-                                  other.vertex_edge_plane(edge, end).distance(p));
-                    for (const Side side : {Side::left, Side::right})
-                        EXPECT_EQ(table.edge_face_plane(edge, side).distance(p),
-                                  other.edge_face_plane(edge, side).distance(p));
-                }
-            }
-        });
-}
-
 }  // namespace
 }  // namespace edgewise

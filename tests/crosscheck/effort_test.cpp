@@ -105,7 +105,7 @@ TEST(Effort, IsTheSameInAnotherEnvironment) {
 }
 
 /// The phases of default cells add up to Callgrind's total, and at most 3 % of instructions belong to
-/// functions that the table of phases (studies/phases/phases.cpp) does not name.
+/// functions that the table of phases (studies/phases/phases.json) does not name.
 TEST(EffortByPhase, KnowsWhereNearlyAllInstructionsAreFrom) {
     const Folder folder;
     const Arguments arguments = {"bench",     "effort",    "--by-phase",

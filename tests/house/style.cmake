@@ -30,7 +30,7 @@ function(house_tidy UNIT)
     endif()
     get_filename_component(name ${UNIT} NAME_WE)
     add_test(NAME house.tidy_${name} COMMAND ${HOUSE_CLANG_TIDY} --quiet --config-file=${PROJECT_SOURCE_DIR}/.clang-tidy ${UNIT}
-        -- -std=c++20 -I${EDGEWISE_INCLUDE} -isystem ${eigen})
+        -- -std=c++20 -I${EDGEWISE_INCLUDE} -I${PROJECT_BINARY_DIR}/registry -isystem ${eigen})
     set_tests_properties(house.tidy_${name} PROPERTIES TIMEOUT 600)
     list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/)
     edgewise_inputs(house.tidy_${name} ${UNIT} ${PROJECT_SOURCE_DIR}/.clang-tidy ${ARGN})

@@ -18,10 +18,11 @@ edgewise_mutant(flat_corners_count_as_turns geometry/strictly_convex.cpp [[dot(f
     StrictlyConvex.* ${unit}/geometry/flat_hull_test.cpp)
 
 # Table
+set(ring_questions ${PROJECT_SOURCE_DIR}/tests/contract/ring_question_test.cpp)
 edgewise_mutant(least_violated_plane table/ring_questions.hpp [[if (d < least) worst]] [[if (d < 0) worst]]
-    RingQuestions* ${unit}/table/ring_questions_test.cpp)
+    RingQuestions* ${ring_questions})
 edgewise_mutant(descent_ignores_flip table/ring_questions.hpp [[flipped ? -along : along]] [[flipped ? along : along]]
-    RingQuestions* ${unit}/table/ring_questions_test.cpp)
+    RingQuestions* ${ring_questions})
 edgewise_mutant(right_plane_turned_in layout_parts/voronoi.hpp [[edge.right, Vec3d(-result.direction), tail]] [[edge.right, Vec3d(result.direction), tail]]
     RandomPairs* ${random_pairs})
 
@@ -37,7 +38,7 @@ edgewise_mutant(cofactors_ask_no_second_opinion algorithms/cofactors.hpp [[if (c
 edgewise_mutant(johnson_is_not_asked algorithms/sub_distance.hpp [[return solver == SubDistanceSolver::cofactors ? Way::cofactors : Way::johnson;]] [[return Way::cofactors;]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(batch_takes_cutoffs_into_lanes algorithms/query_batch.hpp [[ && std::isinf(options.cutoff)]] [[]]
-    GjkBatches/* ${unit}/algorithms/gjk_batch_test.cpp)
+    ParallelBatches/*HonourTheOptions* ${unit}/algorithms/parallel_batch_test.cpp)
 edgewise_mutant(batch_takes_johnson_into_lanes algorithms/query_batch.hpp [[options.sub_distance == SubDistanceSolver::cofactors && std::isinf(options.cutoff)]] [[std::isinf(options.cutoff)]]
     SubDistances/* ${unit}/algorithms/sub_distance_test.cpp)
 edgewise_mutant(johnson_does_not_reach_the_run algorithms/gjk.hpp [[Base(a, b, a_from_b, options.sub_distance),]] [[Base(a, b, a_from_b, SubDistanceSolver::cofactors),]]
@@ -283,7 +284,7 @@ edgewise_mutant(equal_points_beat_each_other reports/tables/fronts.cpp [[if (las
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
 edgewise_mutant(as_slow_is_no_worse reports/tables/fronts.cpp [[if (last && !equal && point.ns >= last->ns) continue;]] [[if (last && !equal && point.ns > last->ns) continue;]]
     ParetoFront.* ${unit}/reports/pareto_front_test.cpp)
-edgewise_mutant(tail_of_too_few probes/error.hpp [[if (answers.size() >= least_for_p999)]] [[if (!answers.empty())]]
+edgewise_mutant(tail_of_too_few probes/error.hpp [[if (known >= least_for_p999)]] [[if (!answers.empty())]]
     Error.HasQuantiles* ${unit}/probes/known_numbers_test.cpp)
 
 # Files of results

@@ -117,11 +117,11 @@ std::string shown_machine(const std::vector<std::string>& machines) {
     return host ? "host" : machines.front();
 }
 
-/// A scene's kind and parameters without its number of bodies.
+/// A scene's kind, body and parameters without its number of bodies.
 std::string motion_without_bodies(const ReportCell& cell) {
     auto parameters = input::json_or_null(cell.scene_parameters);
     if (parameters.is_object()) parameters.erase("bodies");
-    return scene_kind(cell) + parameters.dump();
+    return scene_kind(cell) + cell.shape + parameters.dump();
 }
 
 /// From how many bodies with a table each the layout to take is faster than the paper's: a bracket of numbers
@@ -144,7 +144,8 @@ std::string many_tables_sentence(const Answer& answer) {
         if (cell->high() >= 1) slower = at, faster.clear();
         if (cell->high() < 1 && faster.empty()) faster = at;
     }
-    return fmt::format("With a table each, {} {}: {}{}{}.", take->example().cell->name(),
+    return fmt::format("With a table each, {} for {} {}: {}{}{}.", take->example().cell->name(),
+                       by_bodies.begin()->second->cell->shape,
                        faster.empty() ? "is not faster than the paper's layout"
                        : slower.empty()
                            ? "is faster than the paper's layout from the fewest bodies measured on"
@@ -160,11 +161,10 @@ Chapter caches_chapter(const Answer& answer, const ReportData& data) {
                     .link = "Misses",
                     .sentence = many_tables_sentence(answer)};
     if (chapter.sentence.empty()) chapter.sentence = misses_sentence(data);
-    if (!modelled) return chapter;
     const std::vector<std::string> machines = modelled_machines(data);
-    if (machines.empty()) return chapter;
+    if (!modelled || machines.empty()) return chapter;
     chapter.blocks = {
-        {.paragraph = misses_sentence(data)},
+        {.paragraph = many_tables_sentence(answer).empty() ? "" : misses_sentence(data)},
         {.section = "misses", .grids = {misses_grid(data, shown_machine(machines))}},
         {.paragraph = policy_sentence(data)},
         folded(working_sets_grid(data), "Working sets, knees, and what was ever touched"),
@@ -336,7 +336,7 @@ std::vector<Chapter> report_chapters(const Answer& answer, const ReportData& dat
 ReportData part_of(const ReportData& data, const std::string& shape, std::optional<bool> own_tables) {
     ReportData part;
     part.meta = data.meta, part.build = data.build, part.scene_files = data.scene_files;
-    for (const auto cells : {&ReportData::cells, &ReportData::from_files})
+    for (auto cells : {&ReportData::cells, &ReportData::from_files, &ReportData::peers, &ReportData::again})
         for (const ReportCell& cell : data.*cells)
             if ((shape.empty() || cell.shape == shape) &&
                 own_tables.value_or(has_own_tables(cell)) == has_own_tables(cell))

@@ -139,7 +139,9 @@ std::string left_out_text(const BreakEvenMap& map) {
         append(text, fmt::format("of {} nothing was timed", plural(map.bodies_not_timed, "body", "bodies")),
                "; ");
     if (map.scenes_left_out > 0)
-        append(text, plural(map.scenes_left_out, "scene") + " without turn or number of tables as well",
+        append(text,
+               fmt::format("{} without a turn or a number of tables {} no place",
+                           plural(map.scenes_left_out, "scene"), map.scenes_left_out == 1 ? "has" : "have"),
                "; ");
     return text.empty() ? text : text + ".";
 }
@@ -187,7 +189,7 @@ std::string shown_value(const measure::RecordRow& row) {
 }
 
 std::string change_text(const measure::ComparedRow& row) {
-    if (row.change() == 0) return "new";
+    if (!(row.was.value > 0)) return "from 0";
     return row.is.has_interval
                ? fmt::format("{:.3f} [{:.3f}, {:.3f}]", row.change(), row.least_change(), row.most_change())
                : fmt::format("{:.3f}", row.change());

@@ -58,7 +58,8 @@ std::string lines_and_building(const ReportCell& cell) {
 
 double sum_of(const std::vector<ReportCell>& rows, const store::FigureName& name) {
     double sum = 0;
-    for (const ReportCell& row : rows) sum += row.figure(name).value.value_or(0);
+    for (const ReportCell& row : rows)
+        if (!row.is_raw()) sum += row.figure(name).value.value_or(0);
     return sum;
 }
 
@@ -68,7 +69,7 @@ std::string errors_sentence(const ReportData& data) {
     double checked = 0, wrong = 0;
     std::map<std::string, double> worst;  // by precision
     for (const ReportCell* cell : data.swept()) {
-        if (cell->is_raw()) continue;
+        if (cell->judged()) continue;
         checked += cell->figure("error.checked").value.value_or(0);
         wrong += cell->figure("error.wrong_verdicts").value.value_or(0);
         if (const auto error = cell->figure("error.worst_error_given").value)
@@ -88,8 +89,8 @@ std::string counters_sentence(const ReportData& data) {
     if (cells.empty()) return {};
     const ReportCell& cell = cell_of(cells, {}) ? *cell_of(cells, {}) : *cells.front();
     const measure::Figure counted = cell.figure("counters.instructions");
-    return counted.value ? fmt::format("In {}, {} retires {} instructions per query.", cell.scene_label,
-                                       full_name(cell), number_text(*counted.value))
+    return counted.value ? fmt::format("In {}, {}, {} retires {} instructions per query.", cell.scene_label,
+                                       cell.shape, full_name(cell), number_text(*counted.value))
                          : "Instructions and misses were not counted: " + counted.reason + ".";
 }
 
@@ -122,7 +123,7 @@ std::string misses_sentence(const ReportData& data) {
     });
     const ReportCell *paper = cell_of(cells, {}), *least = cell_of_least(cells, knee_bytes);
     if (!paper || !least) return {};
-    std::string text = fmt::format("In {}, a query of {}", scene, lines_and_knee(*paper));
+    std::string text = fmt::format("In {}, {}, a query of {}", scene, shape, lines_and_knee(*paper));
     if (least != paper) text += fmt::format("; one of {}", lines_and_knee(*least));
     return text + ".";
 }
@@ -194,9 +195,10 @@ std::string peers_sentence(const Answer& answer) {
         const RankedCell *peer = scene->best_peer(), *winner = scene->winner();
         if (!peer || !winner) continue;
         return fmt::format(
-            "In {}, the fastest other library, {}, takes {:.2f} times as long as {} (worst "
-            "errors {} and {}).",
-            scene->label, peer->name(), peer->ratio / winner->ratio, winner->name(),
+            "In {}, {}, the fastest other library {}, {}, takes {:.2f} times as long as {} (worst errors {} and {}).",
+            scene->label, scene->shape,
+            peer->meets_error() ? "within the error" : "(none is within the error)", peer->name(),
+            peer->ratio / winner->ratio, winner->name(),
             peer->worst_error ? number_text(*peer->worst_error, "scale") : "not measured",
             number_text(*winner->worst_error, "scale"));
     }

@@ -4,8 +4,9 @@
 const filterFields = ['scene', 'shape', 'algorithm', 'precision'];
 const filter = {};  // the values that each field may have; nothing where all are shown
 
-// A scene may be named without the parameters that distinguish it from scenes of the same name.
-const isOf = (value, wanted) => value === wanted || wanted.startsWith(value + ' (');
+// A scene may be named without the parameters that distinguish it from scenes of the same name, unless that is another's.
+const isScene = value => [...field('scene').options].some(option => option.value === value);
+const isOf = (value, wanted) => value === wanted || (wanted.startsWith(value + ' (') && !isScene(value));
 const keepsRow = row => filterFields.every(field => !filter[field] || row[field] === undefined ||
     filter[field].some(wanted => isOf(row[field], wanted)));
 

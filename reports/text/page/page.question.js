@@ -30,7 +30,7 @@ async function showAnswer() {
     const command = withBodies(answer.command);
     field('command').textContent = command + (bodies === '' || command.includes('--bodies') ? '' : ' --bodies ' + wanted);
     field('said').textContent = bodies === '' || bodies === wanted ? ''
-        : bodies === 0 ? `Not measured: ${wanted} bodies with a table each; measured were ${measuredBodies().join(' and ')}.`
+        : bodies === 0 ? `Not measured: ${wanted} bodies with a table each; measured were ${measuredBodies().join(' and ') || 'none'}.`
         : `${wanted} bodies with a table each: those of ${bodies}, the nearest that was measured.`;
 }
 

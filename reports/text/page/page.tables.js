@@ -6,10 +6,11 @@ const rowHeight = 24, rowsInSight = 40;
 const textOf = cell => Array.isArray(cell) ? cell[0] : cell;
 const whyOf = cell => Array.isArray(cell) ? cell[1] : '';
 
-function compareCells(a, b) {
+// What is no number among numbers comes last in both orders.
+function compareCells(a, b, down) {
     const [x, y] = [parseFloat(textOf(a)), parseFloat(textOf(b))];
     if (Number.isNaN(x) !== Number.isNaN(y)) return Number.isNaN(x) ? 1 : -1;
-    return Number.isNaN(x) ? textOf(a).localeCompare(textOf(b)) : x - y;
+    return (down ? -1 : 1) * (Number.isNaN(x) ? textOf(a).localeCompare(textOf(b)) : x - y);
 }
 
 function cellElement(cell, isNumber) {
@@ -64,9 +65,15 @@ class LongTable {
         const down = cell.getAttribute('aria-sort') === 'ascending';
         this.box.querySelectorAll('th').forEach(other => other.removeAttribute('aria-sort'));
         cell.setAttribute('aria-sort', down ? 'descending' : 'ascending');
-        const cells = this.grid.cells[column];
-        this.order.sort((a, b) => (down ? -1 : 1) * compareCells(cells[a], cells[b]));
+        this.sorted = { cells: this.grid.cells[column], down };
+        this.keepOrder();
         this.draw();
+    }
+
+    keepOrder() {
+        if (!this.sorted) return;
+        const { cells, down } = this.sorted;
+        this.order.sort((a, b) => compareCells(cells[a], cells[b], down));
     }
 
     /// The rows with all these words that the bar keeps; without an argument, the words of the last search.
@@ -77,6 +84,7 @@ class LongTable {
         this.order = Array.from({ length: rows }, (_, i) => i)
             .filter(i => keepsCells(this.places, place => textOf(this.grid.cells[place][i])))
             .filter(i => this.words.length === 0 || this.words.every(word => text(i).includes(word)));
+        this.keepOrder();
         this.box.scrollTop = 0;
         this.draw();
     }

@@ -81,7 +81,8 @@ Distance ask_near(const TableA& a, const TableB& b, const Transform<double>& a_f
     return answer;
 }
 
-/// Borrows both tables, which must outlive it and must not be rebuilt; temporary tables do not compile.
+/// Borrows both tables, which must outlive it and be neither rebuilt nor refitted; temporary tables do not
+/// compile.
 template <class Algorithm, SupportTable TableA, SupportTable TableB>
 class NearPair {
   public:

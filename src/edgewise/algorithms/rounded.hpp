@@ -60,8 +60,8 @@ template <class Algorithm, SupportTable TableA, SupportTable TableB, class Obser
     return rounded(cores, a.radius, b.radius, options.contact_tolerance);
 }
 
-/// Depth of two rounded bodies that touch or overlap, from the answer of their cores. Separated cores know
-/// it; the depth of others is asked for, from the pair that the query left.
+/// Depth of two rounded bodies that touch or overlap, from the answer of their cores. Cores with a distance
+/// know it; the depth of others is asked for, from the pair that the query left.
 template <SupportTable TableA, SupportTable TableB>
 [[nodiscard]] Penetration rounded_penetration(const Rounded<TableA>& a, const Rounded<TableB>& b,
                                               const Transform<double>& a_from_b, const Distance& cores,
@@ -72,7 +72,7 @@ template <SupportTable TableA, SupportTable TableB>
                       .point_a = cores.point_a,
                       .point_b = cores.point_b,
                       .converged = true};
-    if (cores.status != Status::separated) found = penetration(a.core, b.core, a_from_b, start, space);
+    if (!(cores.distance > 0)) found = penetration(a.core, b.core, a_from_b, start, space);
     found.depth += a.radius + b.radius;
     found.point_a += a.radius * found.normal;
     found.point_b -= b.radius * found.normal;

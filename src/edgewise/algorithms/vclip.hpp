@@ -280,10 +280,18 @@ struct VClip {
     }
 
   private:
+    /// False only for a table that says that it was built without features.
+    template <class Table>
+    [[nodiscard]] static bool holds_features(const Table& table) {
+        if constexpr (requires { table.facts(); }) return table.facts().parts == Parts::features;
+        return true;
+    }
+
     template <class TableA, class TableB, class Observer>
     [[nodiscard]] static Distance answer(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                          FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
                                          Observer& observer) {
+        assert(holds_features(a) && holds_features(b) && "V-Clip needs tables built with Parts::features");
         if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
             if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
             if (options.hardened)

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/memory/arena.hpp"
+#include "edgewise/input/shown_text.hpp"
 #include "edgewise/layout_parts/block.hpp"
 #include "edgewise/store/palette.hpp"
 #include "edgewise/table/table_memory.hpp"
@@ -23,6 +24,13 @@ constexpr int left_margin = 8, top_margin = 44;
 
 constexpr std::size_t lines_per_row = 64;  ///< of heat: a row is a page of 4 KiB
 constexpr int heat_cell = 10, heat_top = 40;
+
+std::string xml_text(const std::string& text) {
+    std::string escaped;
+    for (const char c : input::shown_line(text))
+        escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+    return escaped;
+}
 
 std::string svg_start(int width, int height, const std::string& title) {
     return fmt::format(
@@ -134,7 +142,7 @@ std::string draw_layout(const TableType& type, const std::string& shape, const P
     Arena arena;
     const TablesIn placed(arena);
     const std::vector<MappedPiece> map = type.memory_map(*stored, type.all_parts());
-    const std::string title = fmt::format("{}, {}", type.name, shape);
+    const std::string title = xml_text(fmt::format("{}, {}", type.name, shape));
     const std::size_t bytes = map.empty() ? 0 : map.back().offset + map.back().stride * map.back().count;
     const std::size_t all_lines = (bytes + line_bytes - 1) / line_bytes;
     const std::size_t lines = std::min(all_lines, most_lines);
@@ -171,8 +179,8 @@ std::string draw_heat(const std::string& title, std::span<const std::uint32_t> a
         "<text x=\"{3}\" y=\"14\" font-weight=\"bold\">{2}</text>\n"
         "<text x=\"{3}\" y=\"30\">a square is a line of 64 bytes, a row a page; white: never; dark: up to {4} "
         "accesses{5}</text>\n{6}</svg>\n",
-        width, height, title, left_margin, most, cut_text(lines, accesses.size()), body,
-        svg_start(width, height, title));
+        width, height, xml_text(title), left_margin, most, cut_text(lines, accesses.size()), body,
+        svg_start(width, height, xml_text(title)));
 }
 
 }  // namespace edgewise::bench

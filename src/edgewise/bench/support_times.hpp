@@ -69,7 +69,10 @@ template <class Algorithm, class Table>
     SupportTimes times;
     if (Algorithm::parts != Parts::support || tables.empty()) return times;
     const std::size_t each = std::max(supports_of_table, least_supports / tables.size());
-    const auto cold = support_directions<Scalar>(each, 0), warm = support_directions<Scalar>(each, 0.05);
+    const auto cold = support_directions<Scalar>(each, 0);
+    auto warm = support_directions<Scalar>(each + 1, 0.05);
+    const std::vector<Vec3<Scalar>> start = {warm.front()};  // each table's first is a cold one
+    warm.erase(warm.begin());
     const auto queries = static_cast<double>(each * tables.size());
     for (int i = 0; i < repetitions; ++i) {
         std::vector<typename Table::Vertex> none, last;
@@ -77,7 +80,7 @@ template <class Algorithm, class Table>
         const measure::Stopwatch cold_watch;
         times.heights += ask_supports(tables, cold, none);
         times.cold_ns.push_back(cold_watch.elapsed_ns() / queries);
-        times.heights += ask_supports(tables, {warm.front()}, last);  // each table's first is a cold one
+        times.heights += ask_supports(tables, start, last);
         const measure::Stopwatch warm_watch;
         times.heights += ask_supports(tables, warm, last);
         times.warm_ns.push_back(warm_watch.elapsed_ns() / queries);

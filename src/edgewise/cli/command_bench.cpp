@@ -44,12 +44,12 @@ nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& 
     return {{"table", scaling.table},
             {"algorithm", scaling.algorithm},
             {"scene", options.cell.scene},
-            {"shape", options.cell.shape},
+            {"shape", bodies_of(options.cell)},
             {"cores", studies::usable_cores()},
             {"queries", scaling.queries},
             {"frames", scaling.frames},
             {"table_bytes", scaling.table_bytes},
-            {"rounds", options.rounds},
+            {"rounds", scaling.rounds},
             {"checked", scaling.checked},
             {"passes", scaling.passes},
             {"wrong", or_null(scaling.wrong)},
@@ -58,7 +58,7 @@ nlohmann::json json_of(const studies::Scaling& scaling, const ScalingArguments& 
 
 void print(const studies::Scaling& scaling, const ScalingArguments& options) {
     fmt::print("{} on {}, {} on {}: {} queries in {} frames, tables of {:.2f} MiB, {} cores\n",
-               scaling.algorithm, scaling.table, options.cell.scene, options.cell.shape, scaling.queries,
+               scaling.algorithm, scaling.table, options.cell.scene, bodies_of(options.cell), scaling.queries,
                scaling.frames, scaling.table_bytes / (1 << 20), studies::usable_cores());
     fmt::print("{}",
                reports::rows_text(json_of(scaling, options)["rows"],
@@ -69,7 +69,7 @@ void print(const studies::Scaling& scaling, const ScalingArguments& options) {
     fmt::print(
         "Medians of {} rounds. Contention: a thread's time while the others run, over its time alone. {} answers were "
         "checked exactly; {} passes gave the single queries' sum to the bit.\n",
-        options.rounds, scaling.checked, scaling.passes);
+        scaling.rounds, scaling.checked, scaling.passes);
 }
 
 int run_scaling(const ScalingArguments& options, bool json) {
@@ -105,15 +105,15 @@ void add_scaling(CLI::App& bench, Context& context) {
 
 /// Only where something was counted; a model of no misses has no ratio.
 std::optional<double> ratio(const measure::CalibrationRow& row) {
-    if (!row.counted || row.modelled <= 0) return std::nullopt;
-    return *row.counted / row.modelled;
+    if (!row.counted || !(row.modelled > 0)) return std::nullopt;
+    return *row.counted / *row.modelled;
 }
 
 nlohmann::json calibration_json(const measure::CalibrationRow& row) {
     return {{"level", row.level},           {"times", row.times},
-            {"bytes", row.bytes},           {"modelled_per_load", row.modelled},
+            {"bytes", row.bytes},           {"modelled_per_load", or_null(row.modelled)},
             {"event", row.event},           {"counted_per_load", or_null(row.counted)},
-            {"ratio", or_null(ratio(row))}, {"ns_per_load", row.ns},
+            {"ratio", or_null(ratio(row))}, {"ns_per_load", or_null(row.ns)},
             {"reason", or_null(row.reason)}};
 }
 

@@ -69,7 +69,7 @@ Traced trace_cell(const CachesArguments& options, measure::TraceCaches& caches) 
         file.finish();
     }
     return {fmt::format("{} {}, {} {}", options.cell.table, options.cell.algorithm, options.cell.scene,
-                        options.cell.shape),
+                        bodies_of(options.cell)),
             {caches.reads(), caches.writes()},
             false};
 }

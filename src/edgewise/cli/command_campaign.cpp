@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -14,6 +16,7 @@
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/reports/tables/text_grid.hpp"
 #include "edgewise/scene/case_text.hpp"
+#include "edgewise/scene/mesh/mesh_file.hpp"
 #include "edgewise/studies/campaign/block_run.hpp"
 
 namespace edgewise::cli {
@@ -115,7 +118,7 @@ struct CampaignArguments {
     double pairs = 1e6;
     std::uint64_t seed = 1;
     std::string shard;
-    std::vector<std::string> families, shapes = {"tetra4", "cube8", "sphere38", "sphere386"};
+    std::vector<std::string> families, shapes;
     std::vector<std::string> layouts = {"all"}, algorithms = {"all"};
     bool every_type = false, as_stored = false;
     std::string state = "reports/out/campaign.json", failures = "reports/out/campaign_failures.jsonl";
@@ -207,14 +210,34 @@ int add_up(const CampaignArguments& options, bool json) {
     if (const auto there = read_progress(options.state); there && there->question != whole.question)
         throw std::invalid_argument(options.state +
                                     ": progress of another campaign: name another file with --state");
+    make_folder_of(options.state, "--state");
     write_progress(whole, options.state);
     return finish(whole, {}, options.state, json);
+}
+
+/// Refuses what would be ignored.
+PairSource source_of(const CampaignArguments& options) {
+    const auto& families = options.families;
+    if (!options.shapes.empty() && !families.empty() &&
+        std::ranges::find(families, random_family) == families.end())
+        throw std::invalid_argument(
+            fmt::format("--shape is of the family {}: add it, or leave --shape out", random_family));
+    if (options.as_stored && std::ranges::none_of(options.shapes, scene::names_mesh_file))
+        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+    if (options.pairs != std::floor(options.pairs))
+        throw std::invalid_argument(
+            fmt::format("--pairs {}: a whole number of pairs is wanted", options.pairs));
+    const std::vector<std::string> usual = {"tetra4", "cube8", "sphere38", "sphere386"};
+    return {options.seed,
+            families,
+            options.shapes.empty() ? usual : options.shapes,
+            {.as_stored = options.as_stored}};
 }
 
 int run_campaign(const CampaignArguments& options, bool json) {
     if (!options.add.empty()) return add_up(options, json);
     const sweep::Shard shard = chosen_shard(options.shard);
-    const PairSource source(options.seed, options.families, options.shapes, {.as_stored = options.as_stored});
+    const PairSource source = source_of(options);
     if (!source.warning().empty()) warn(source.warning());
     if (options.pair) {
         fmt::print("{}\n", scene::case_line(case_of(source, *options.pair),
@@ -266,8 +289,17 @@ void add_campaign(CLI::App& app, Context& context) {
     add_output_file(*command, "--failures", options.failures,
                     "file to write: failing pairs are added to it, minimised, as cases")
         ->capture_default_str();
-    command->add_option("--add", options.add, "no run: the state files of all shards added up into --state");
-    add_count(*command, "--pair", options.pair, {}, "no run: this pair as a case for edgewise query");
+    CLI::Option* const add = command->add_option(
+        "--add", options.add, "no run: the state files of all shards added up into --state");
+    CLI::Option* const pair =
+        add_count(*command, "--pair", options.pair, {}, "no run: this pair as a case for edgewise query");
+    pair->excludes(add)->excludes(command->get_option("--state"));
+    for (const char* of_a_run : {"--shard", "--layouts", "--algorithms", "--every-type", "--failures"}) {
+        add->excludes(command->get_option(of_a_run));
+        pair->excludes(command->get_option(of_a_run));
+    }
+    for (const char* of_pairs : {"--pairs", "--seed", "--families", "--shape", "--as-stored"})
+        add->excludes(command->get_option(of_pairs));
 }
 
 }  // namespace edgewise::cli

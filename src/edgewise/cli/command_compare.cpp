@@ -63,6 +63,9 @@ int run_compare(const CompareArguments& options, bool json) {
     std::vector<measure::FigureRecord> records = {measure::read_record(files[0])};
     for (std::size_t i = 1; i < files.size(); ++i)
         records.push_back(measure::read_record(files[i], records[0].kind));
+    if (options.slack && !records[0].slack)
+        throw std::invalid_argument(
+            fmt::format("--slack is of times, and {} has none: leave it out", files[0]));
     if (records[0].kind == reports::machine_kind) {
         if (!options.format.empty())
             throw std::invalid_argument("--format is of an old file and a new one, not of machine records");
@@ -70,7 +73,7 @@ int run_compare(const CompareArguments& options, bool json) {
     }
     if (records.size() != 2)
         throw std::invalid_argument("give an old file and a new one: two stores, or two records of one kind");
-    if (options.slack && records[0].slack) records[0].slack = options.slack;
+    if (options.slack) records[0].slack = options.slack;
     const bool is_speed = records[0].kind == studies::speed_kind;
     return print_comparison(
         is_speed ? studies::compare_speed(records[0], records[1]) : measure::compare(records[0], records[1]),

@@ -108,14 +108,14 @@ int run_heat(const HeatArguments& options, bool json) {
     if (!options.svg.empty()) {
         const std::string title =
             fmt::format("{} {}, {} {}, {} queries", options.cell.table, options.cell.algorithm,
-                        options.cell.scene, options.cell.shape, heat.queries().all);
+                        options.cell.scene, bodies_of(options.cell), heat.queries().all);
         input::write_output(options.svg, bench::draw_heat(title, lines_of_tables(heat, cell)));
     }
     if (json) {
         print_json(json_of(heat, tables, cell));
     } else {
         fmt::print("{} {}, scene {}, shape {}\n", options.cell.table, options.cell.algorithm,
-                   options.cell.scene, options.cell.shape);
+                   options.cell.scene, bodies_of(options.cell));
         print(heat, tables);
     }
     return exit_done;

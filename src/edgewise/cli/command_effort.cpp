@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
@@ -87,7 +88,9 @@ int print_phases(const studies::EffortPlan& plan, bool json) {
         for (const EffortByPhase& row : rows) print_row(row);
         fmt::print("instr. = once + each step x steps. Mispredictions and misses are Callgrind's models.\n");
     }
-    int code = exit_done;
+    const bool nothing = std::ranges::all_of(rows, [](const auto& row) { return row.phases.empty(); });
+    if (nothing) warn("nothing was counted; each row says why");
+    int code = nothing ? exit_check_failed : exit_done;
     for (const EffortByPhase& row : rows) {
         if (row.wrong.empty()) continue;
         warn(fmt::format("{} {}: {}", row.table, row.algorithm, row.wrong));
@@ -116,8 +119,12 @@ studies::EffortPlan plan_of(const EffortArguments& options) {
     if (cell.scene == studies::effort_cell.scene)  // what was named goes before
         cell.parameters.insert(studies::effort_cell.parameters.begin(),
                                studies::effort_cell.parameters.end());
-    return {cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
-            bench::select_algorithms(options.algorithms), measure::choose_machines(options.machines).front()};
+    studies::EffortPlan plan = {
+        cell, bench::select_table_types(options.layouts), bench::select_peer_types(options.peers),
+        bench::select_algorithms(options.algorithms), measure::choose_machines(options.machines).front()};
+    if (studies::contenders(plan).empty())
+        throw std::invalid_argument("none of these layouts serves any of these algorithms");
+    return plan;
 }
 
 nlohmann::json effort_json(const store::StoredCell& row) {
@@ -134,11 +141,10 @@ nlohmann::json effort_json(const store::StoredCell& row) {
 }
 
 /// The report's tables of an effort run.
-void print(const std::vector<store::StoredCell>& rows, const EffortArguments& options) {
+void print(const std::vector<store::StoredCell>& rows, const studies::EffortPlan& plan) {
     reports::ReportData data;
     for (const store::StoredCell& row : rows) data.effort.push_back({row, row.scene});
-    fmt::print("per query of {} on {}, caches of {}\n", options.cell.scene, options.cell.shape,
-               options.machines.front());
+    fmt::print("per query of {} on {}, caches of {}\n", plan.cell.scene, plan.cell.shape, plan.machine.name);
     for (const reports::TextGrid& grid :
          {reports::effort_grid(data), reports::effort_floor_grid(data), reports::problems_grid(data)})
         if (!grid.rows.empty()) fmt::print("\n{}", grid_text(grid));
@@ -182,10 +188,10 @@ int run_effort(const EffortArguments& options, bool json) {
     std::vector<store::StoredCell> rows;
     if (!measure_rows(options, plan, rows)) return exit_check_failed;
     if (json) {
-        print_json(nlohmann::json(
-            {{"effort", json_rows(rows, effort_json)}, {"machine", options.machines.front()}}));
+        print_json(
+            nlohmann::json({{"effort", json_rows(rows, effort_json)}, {"machine", plan.machine.name}}));
     } else {
-        print(rows, options);
+        print(rows, plan);
     }
     const auto has = [](store::CellStatus status) {
         return [status](const store::StoredCell& row) { return row.status == status; };
@@ -210,6 +216,7 @@ void add_effort(CLI::App& bench, Context& context) {
     CLI::Option* peers = add_peers_option(*command, options.peers);
     add_checked_option(*command, options.cell.checked);
     add_machines_option(*command, options.machines)
+        ->delimiter('\0')  // the sizes of one machine have commas
         ->expected(1)
         ->allow_extra_args(false)
         ->default_str(studies::effort_machine);

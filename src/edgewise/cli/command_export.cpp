@@ -79,7 +79,8 @@ std::string callgrind_text(const ExportArguments& options) {
             add_cell(*cell, profile);
     if (profile.is_empty())
         throw std::runtime_error("no chosen cell is a verified plain one of a built-in scene and body");
-    if (options.out.empty()) return profile.text(bench::step_names());
+    if (options.out.empty() || !input::output_place(options.out).is_replaced)
+        return profile.text(bench::step_names());
     const std::string folder = options.out + ".fields",
                       fields = fmt::format("{}\n", fmt::join(bench::field_names(), "\n"));
     std::filesystem::create_directories(folder);
@@ -95,6 +96,8 @@ int run_export(const ExportArguments& options, bool json) {
     if (json || options.format == "json") choice.format = reports::ExportFormat::json;
     if (!options.machines.empty() && options.format != callgrind)
         throw std::invalid_argument("--machines is of --format callgrind: give both");
+    if (!choice.figures.empty() && options.format == callgrind)
+        throw std::invalid_argument("--format callgrind has all costs of data: leave --figures out");
     const std::string text = options.machine_record ? record_text(options)
                              : options.format == callgrind
                                  ? callgrind_text(options)
@@ -124,6 +127,9 @@ void add_export(CLI::App& app, Context& context) {
         command->add_flag("--machine-record", options.machine_record,
                           "what the store says of its machine, without names and paths, as JSON");
     add_machines_option(*command, options.machines);
+    for (const char* of_figures : {"--figures", "--scenes", "--layouts", "--format", "--machines"})
+        record->excludes(command->get_option(of_figures));
+    command->get_option("--format")->excludes(command->get_option("--json"));
     command->add_option("--modelled", options.modelled, "of this machine, whose caches the sweep modelled")
         ->needs(record);
     add_output_file(*command, "--out", options.out, "file to write: the figures; stdout if not given");

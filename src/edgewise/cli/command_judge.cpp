@@ -121,6 +121,8 @@ scene::PastedPair read_judge_input(const JudgeInput& input) {
             warn(fmt::format("{}: {}; the nearest rotation is used", input.text, pasted.warning));
         return std::move(pasted).or_throw();
     }
+    if (input.as_stored && !scene::names_mesh_file(input.body_a) && !scene::names_mesh_file(input.body_b))
+        throw std::invalid_argument("--as-stored is of mesh files: neither --a nor --b is one");
     return {{"meshes", body_called(input.body_a, input.as_stored), body_called(input.body_b, input.as_stored),
              pose_from(input.pose_a, "--pose-a"), pose_from(input.pose_b, "--pose-b")},
             scene::names_mesh_file(input.body_a) && scene::names_mesh_file(input.body_b) ? "mesh files"

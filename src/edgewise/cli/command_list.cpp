@@ -174,15 +174,13 @@ Json list_plans() {
 
 /// The part in braces differs from figure to figure of a family.
 Json list_figures() {
-    Json result = Json::array();
-    for (const auto part : store::vocabulary_parts)
-        for (const store::FigureInfo& figure : part)
-            result.push_back({{"name", figure.key},
-                              {"unit", figure.unit},
-                              {"meaning", figure.meaning},
-                              {"population", to_string(figure.population)},
-                              {"deterministic", figure.repeats == store::Repeats::exactly}});
-    return result;
+    return json_rows(store::vocabulary, [](const store::FigureInfo& figure) {
+        return Json{{"name", figure.key},
+                    {"unit", figure.unit},
+                    {"meaning", figure.meaning},
+                    {"population", to_string(figure.population)},
+                    {"deterministic", figure.repeats == store::Repeats::exactly}};
+    });
 }
 
 struct List {

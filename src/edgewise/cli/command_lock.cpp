@@ -32,7 +32,9 @@ constexpr const char* stored_condition = "as_stored";
 /// The body; all meshes of a file are one hull in its own size. A recording has bodies of its own.
 scene::NamedShape shape_of(const LockArguments& options) {
     if (scene::names_recording(options.cell.scene))
-        return scene::read_scene_file(options.cell.scene).or_throw().shapes.front();
+        return scene::read_scene_file(options.cell.scene, {.as_stored = options.cell.as_stored})
+            .or_throw()
+            .shapes.front();
     const std::string& name = options.cell.shape;
     scene::MeshBody body = chosen_body({name, options.cell.as_stored});
     return {name, scene::names_mesh_file(name) ? name : "built-in", std::move(body.body), {}};
@@ -71,6 +73,7 @@ measure::FigureRecord lock_of(LockArguments options) {
     const std::vector<measure::CacheMachine> machines = measure::described_machines(options.machines);
     studies::CellChoice choice = options.cell;
     choice.body = shape_of(options);
+    choice.warn = warn;
     if (scene::names_recording(choice.scene)) options.cell.shape = choice.body->source;
     const studies::SingleCell cell(choice);
     const auto pass = [&](measure::TraceListener& listener) {
@@ -154,6 +157,9 @@ void take_limit(std::string text, std::vector<measure::Limit>& limits) {
     scene::SceneParameters given;
     take_parameter(text, given, "--limit");
     const auto& [figures, number] = *given.begin();
+    for (const measure::Limit& known : limits)
+        if (known.figures == figures && (soft ? known.soft : known.hard))
+            throw CLI::ValidationError(fmt::format("--limit {}: given twice: leave one out", figures));
     measure::Limit& limit = limits.emplace_back();
     limit.figures = figures;
     (soft ? limit.soft : limit.hard) = soft ? number / 100 : number;
@@ -167,6 +173,8 @@ int check_lock(const LockArguments& options, bool json) {
 
 int run_lock(const LockArguments& options, bool json) {
     if (!options.check.empty()) return check_lock(options, json);
+    if (scene::names_recording(options.cell.scene) && options.cell.shape != studies::CellChoice{}.shape)
+        throw std::invalid_argument("a recording has bodies of its own: leave --shape out");
     const measure::FigureRecord lock = lock_of(options);
     const std::string text = measure::to_json(lock);
     static_cast<void>(measure::parse_record(text, "--limit"));  // refuses a limit of no figure
@@ -179,7 +187,7 @@ int run_lock(const LockArguments& options, bool json) {
 void add_lock(CLI::App& app, Context& context) {
     auto [command, options] =
         add_command(app, context, "lock", "The deterministic figures of a layout, to hold it to", run_lock);
-    const std::vector<CLI::Option*> of = {
+    std::vector<CLI::Option*> of = {
         add_table_option(*command, options.cell.table),
         add_algorithm_option(*command, options.cell.algorithm),
         add_shape_option(*command, options.cell.shape, options.cell.as_stored),
@@ -196,9 +204,12 @@ void add_lock(CLI::App& app, Context& context) {
                     for (const std::string& text : texts) take_limit(text, limits);
                 },
                 "how far figures may go: by 5% (else they are worse), or to 12000 (else exit code 3)")
-            ->type_name("FIGURE=LIMIT"),
-        command->add_flag("--header", options.header,
-                          "print sizes and bytes per body as a C++ header of static_asserts instead")};
+            ->type_name("FIGURE=LIMIT")};
+    of.push_back(command
+                     ->add_flag("--header", options.header,
+                                "print sizes and bytes per body as a C++ header of static_asserts instead")
+                     ->excludes(of.back())
+                     ->excludes(command->get_option("--json")));
     CLI::Option* const check =
         command->add_option("--check", options.check, "compare with this lock, of what it says itself");
     for (CLI::Option* option : of) check->excludes(option);

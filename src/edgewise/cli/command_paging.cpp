@@ -152,8 +152,30 @@ bool all_same(const std::vector<thrash::RealisedCell>& cells) {
     return true;
 }
 
+/// Throws std::invalid_argument for a type on which an algorithm does not run.
+void check_that_serve(std::span<const bench::TableType* const> types,
+                      std::initializer_list<std::string> algorithms) {
+    for (const bench::TableType* type : types)
+        for (const std::string& algorithm : algorithms)
+            if (!type->serves(algorithm))
+                throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, algorithm));
+}
+
+/// The table types by these names, in their order: the first calibrates.
+std::vector<std::string> tables_called(const std::vector<std::string>& names) {
+    std::vector<std::string> tables;
+    for (const std::string& name : names) {
+        const auto types = bench::select_table_types(std::span(&name, 1));
+        check_that_serve(types, {"vclip", "gjk"});
+        for (const bench::TableType* type : types)
+            if (std::ranges::find(tables, type->name) == tables.end()) tables.push_back(type->name);
+    }
+    return tables;
+}
+
 int run_thrash(const ThrashArguments& options, bool json) {
     thrash::Levels levels = options.levels;
+    levels.tables = tables_called(levels.tables);
     levels.filling = levels.steps / 6;
     Progress progress("thrash", thrash::scenes_to_trace(levels) + options.realised);
     const thrash::Factorial factorial = thrash::run_factorial(
@@ -161,6 +183,7 @@ int run_thrash(const ThrashArguments& options, bool json) {
     if (stop_on_signals()) return exit_check_failed;
     std::vector<thrash::RealisedCell> cells;
     for (const thrash::Outcome& outcome : outcomes_to_realise(factorial, options.realised)) {
+        if (stop_on_signals()) break;
         cells.push_back(thrash::realise(outcome, levels, options.wait_s * 1e9));
         progress.advance(1, "realised");
     }
@@ -172,7 +195,7 @@ int run_thrash(const ThrashArguments& options, bool json) {
         print(result, factorial);
         for (const thrash::RealisedCell& cell : cells) print(cell);
     }
-    return all_same(cells) ? exit_done : exit_check_failed;
+    return all_same(cells) && !stop_on_signals() ? exit_done : exit_check_failed;
 }
 
 void add_thrash(CLI::App& paging, Context& context) {
@@ -264,28 +287,33 @@ void print(const studies::PagingResult& result) {
 int run_paging(const PagingArguments& options, bool json) {
     const scene::Workload workload = pressure(options);
     std::vector<std::uint64_t> limits;
-    for (const double mebibytes : options.limits)
+    for (const double mebibytes : options.limits) {
         limits.push_back(static_cast<std::uint64_t>(mebibytes * (1 << 20)));
+        if (mebibytes > 0 && limits.back() < studies::page_bytes())
+            throw std::invalid_argument(
+                fmt::format("--limits {}: less than a page; 0 stands for no limit", mebibytes));
+    }
     nlohmann::json results = nlohmann::json::array();
     const std::atomic<bool>& stop = stop_on_signals();  // a control group is to be removed
     const auto types = bench::select_table_types(options.layouts);
-    for (const bench::TableType* type : types)
-        if (!type->serves(options.algorithm))
-            throw std::invalid_argument(fmt::format("{} does not serve {}", type->name, options.algorithm));
+    check_that_serve(types, {options.algorithm});
+    bool measured = false;
     for (const bench::TableType* type : types) {
         const studies::PagingResult result = studies::measure_paging(
             *type, options.algorithm, workload, [&](std::uint64_t) { return limits; }, stop);
         if (stop) {
-            warn("stopped; nothing is kept of this table");
-            return exit_check_failed;
+            warn(fmt::format("stopped; nothing is kept of {}", type->name));
+            break;
         }
+        measured |= !result.rows.empty();
         if (json)
             results.push_back(json_of(result));
         else
             print(result);
     }
     if (json) print_json(nlohmann::json({{"paging", results}}));
-    return exit_done;
+    if (!measured && !stop) warn("nothing was measured; each table says why");
+    return measured && !stop ? exit_done : exit_check_failed;
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ struct QueryArguments {
 void check_needs(const QueryArguments& options) {
     if (options.margin && !has_margin(options.needs))
         throw std::invalid_argument("--margin goes with --needs nearer or within: give both");
+    if (options.query.gap_tolerance != 0 && options.algorithm != "gjk")
+        throw std::invalid_argument("--gap-tolerance is GJK's: add --algorithm gjk, or leave it out");
     if (has_margin(options.needs) && options.query.contact_tolerance != 0)
         throw std::invalid_argument(
             fmt::format("--needs {} asks for its --margin, not for contact: leave --contact-tolerance out",

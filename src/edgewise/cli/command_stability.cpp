@@ -30,9 +30,14 @@ struct StabilityArguments {
 /// none where no family asks for them.
 std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     const auto& families = options.plan.families;
-    if (options.shapes.empty() && !families.empty() &&
-        std::ranges::find(families, studies::real_family) == families.end())
+    if (options.as_stored && std::ranges::none_of(options.shapes, scene::names_mesh_file))
+        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+    if (!families.empty() && std::ranges::find(families, studies::real_family) == families.end()) {
+        if (!options.shapes.empty())
+            throw std::invalid_argument(fmt::format(
+                "--shape is of the family {}: add it, or leave --shape out", studies::real_family));
         return {};
+    }
     sweep::Plan plan = sweep::make_plan("quick");
     plan.shapes.clear();
     if (!options.shapes.empty()) {
@@ -65,6 +70,13 @@ void print(const reports::ReportData& data) {
         fmt::print("\n{}", grid_text(problems));
 }
 
+/// A part that is measured again is not complete before it ends.
+void begin_part(const sweep::Shard& shard, store::Store& store) {
+    if (shard.is_whole()) return;
+    store.set_meta(store::shard_key, shard.text());
+    store.set_meta(store::complete_key, "");
+}
+
 int run_stability(const StabilityArguments& options, bool json) {
     check_folder_of(options.store, "--store");
     studies::StabilityPlan plan = options.plan;
@@ -78,8 +90,8 @@ int run_stability(const StabilityArguments& options, bool json) {
     const bool any = studies::keep_shard(plan, shard, seconds);
     make_folder_of(options.store, "--store");
     store::Store store(options.store);
-    if (!shard.is_whole()) store.set_meta(store::shard_key, shard.text());
     reports::ReportData data;
+    begin_part(shard, store);
     const bool done = !any || run_with_progress(plan, store, data);
     if (!shard.is_whole() && done) store.set_meta(store::complete_key, shard.text());
     const auto count = [&](store::CellStatus status) {

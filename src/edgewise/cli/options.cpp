@@ -173,6 +173,10 @@ void take_bodies(const std::vector<std::string>& shapes, sweep::Plan& plan) {
     plan.meshes_required = true;
 }
 
+std::string bodies_of(const studies::CellChoice& choice) {
+    return scene::names_recording(choice.scene) ? "its own bodies" : choice.shape;
+}
+
 scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat) {
     refuse_unused(choice);
     if (!scene::names_mesh_file(choice.shape)) {
@@ -282,8 +286,10 @@ void add_shard_option(CLI::App& command, std::string& shard) {
 
 void add_shard_options(CLI::App& command, std::string& shard, std::string& costs) {
     add_shard_option(command, shard);
-    command.add_option("--costs", costs,
-                       "store of an earlier run, whose seconds make parts even; the same for all");
+    command
+        .add_option("--costs", costs,
+                    "store of an earlier run, whose seconds make parts even; the same for all")
+        ->needs(command.get_option("--shard"));
 }
 
 sweep::Shard chosen_shard(const std::string& text) {

@@ -141,6 +141,9 @@ CLI::Option* add_shapes_option(CLI::App& command, std::vector<std::string>& shap
 /// Takes these bodies instead of the plan's; their files must be readable.
 void take_bodies(const std::vector<std::string>& shapes, sweep::Plan& plan);
 
+/// What the cell's queries are about, for people: the shape, unless it is a recording.
+[[nodiscard]] std::string bodies_of(const studies::CellChoice& choice);
+
 /// One body of a command that needs no scene.
 struct BodyChoice {
     std::string shape = "sphere386";

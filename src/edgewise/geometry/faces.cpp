@@ -86,7 +86,12 @@ Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points, Faces fa
             return Result<Polyhedron>::failure(face_name(*body, f) + " has no area");
     const std::vector<std::string> violations = check_polyhedron(*body);
     if (!violations.empty()) {
-        if (check_polyhedron(*body, single_planarity).empty()) return hull_of_bent(*body);
+        if (check_polyhedron(*body, single_planarity).empty()) {
+            Result<Polyhedron> hull = hull_of_bent(*body);
+            if (const std::string unused = unused_warning(points, faces); hull && !unused.empty())
+                hull.warning += "; " + unused;
+            return hull;
+        }
         return Result<Polyhedron>::failure("the faces do not bound a convex solid: " + violations.front() +
                                            "; leave them out to get the hull");
     }

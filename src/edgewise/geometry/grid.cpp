@@ -89,6 +89,11 @@ Result<Polyhedron> hull_of_boxes(const Polyhedron& body, double eps) {
     return hull;
 }
 
+/// Places are numbers of the table's precision.
+std::string range_error(const Polyhedron& body, double eps) {
+    return eps > Tolerance<double>::eps ? single_range_error(body) : std::string();
+}
+
 }  // namespace
 
 Grid Grid::for_rounding(std::span<const Vec3d> points, double eps) {
@@ -113,12 +118,14 @@ Grid::Place Grid::nearest(const Vec3d& point) const {
 }
 
 Result<Polyhedron> round_to_grid(const Polyhedron& body, double eps) {
+    if (std::string error = range_error(body, eps); !error.empty())
+        return Result<Polyhedron>::failure(std::move(error));
     return hull_of_moved(body, on_grid(body.vertices, eps), "16 bits");
 }
 
 Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps) {
     Result<Polyhedron> rounded = round_to_grid(body, eps);
-    if (body.face_count() <= 2) return rounded;
+    if (body.face_count() <= 2 || !range_error(body, eps).empty()) return rounded;
     if (rounded && rounded->vertices == body.vertices) return rounded;
     // Growth in steps of a grid step over the extent: most bodies need one or two.
     const double growth = Grid::for_rounding(body.vertices, eps).step / extent(body.vertices);

@@ -42,8 +42,8 @@ struct Grid {
 /// A rounded body that contains the given one: it is grown about its middle before it is rounded, step by
 /// step, until every vertex is a vertex of the result or inside it by more than rounding. A body so thin that
 /// growing widens it less than rounding may narrow it becomes the hull of boxes around its vertices, two
-/// steps to each side. A body on its grid is returned unchanged. Flat bodies stay flat, as in round_to_grid:
-/// they are not contained.
+/// steps to each side. A body on its grid is returned unchanged. Flat bodies are rounded as in round_to_grid,
+/// and are not contained.
 [[nodiscard]] Result<Polyhedron> round_to_grid_outward(const Polyhedron& body, double eps);
 
 }  // namespace edgewise

@@ -112,21 +112,23 @@ Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> 
     return hull;
 }
 
+std::string single_range_error(const Polyhedron& body) {
+    for (std::size_t v = 0; v < body.vertex_count(); ++v)
+        if (!(max_abs(to_single(body.vertices[v])) <= largest_coordinate_single))
+            return message("vertex ", body.input_index[v], ": ", max_abs(body.vertices[v]), " is beyond ",
+                           largest_coordinate_single, ", the range of single precision; scale the body down");
+    return {};
+}
+
 Result<Polyhedron> round_to_single(const Polyhedron& body) {
-    std::vector<Vec3d> single;
-    for (std::size_t v = 0; v < body.vertex_count(); ++v) {
-        single.push_back(to_single(body.vertices[v]));
-        if (max_abs(single.back()) <= largest_coordinate_single) continue;
-        return Result<Polyhedron>::failure(
-            message("vertex ", body.input_index[v], ": ", max_abs(body.vertices[v]), " is beyond ",
-                    largest_coordinate_single, ", the range of single precision; scale the body down"));
-    }
+    std::string error = single_range_error(body);
     const double width = widest_extent(body.vertices);
-    if (width > 0 && width < smallest_extent_single) {
-        return Result<Polyhedron>::failure(message("the body is ", width, " wide, below ",
-                                                   smallest_extent_single,
-                                                   ", the range of single precision; scale the body up"));
-    }
+    if (error.empty() && width > 0 && width < smallest_extent_single)
+        error = message("the body is ", width, " wide, below ", smallest_extent_single,
+                        ", the range of single precision; scale the body up");
+    if (!error.empty()) return Result<Polyhedron>::failure(std::move(error));
+    std::vector<Vec3d> single;
+    for (const Vec3d& vertex : body.vertices) single.push_back(to_single(vertex));
     return hull_of_moved(body, single, "single precision");
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "edgewise/geometry/polyhedron.hpp"
@@ -39,6 +40,9 @@ namespace edgewise {
 /// when none moved; a warning says how many vertices vanish. `where` ends messages: "single precision".
 [[nodiscard]] Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> moved,
                                                const char* where);
+
+/// Empty, or why single precision has no room for the body, and what to do.
+[[nodiscard]] std::string single_range_error(const Polyhedron& body);
 
 /// The body that a table with single-precision storage really holds: the hull of the rounded vertices, with
 /// its own topology. `input_index` still names the vertices of the original input. Returns the body unchanged

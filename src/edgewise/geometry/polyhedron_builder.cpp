@@ -26,6 +26,7 @@ struct Side {
 };
 
 std::string ring_error(const FaceRings& input) {
+    if (input.rings.empty()) return "there are no faces";
     for (std::size_t f = 0; f < input.rings.size(); ++f) {
         std::vector<Index> ring = input.rings[f];
         if (ring.size() < 3)
@@ -177,7 +178,7 @@ std::string fill_vertex_rings(Polyhedron& body) {
     body.vertex_offset.push_back(0);
     for (Index v = 0; v < body.vertex_count(); ++v) {
         const Index name = body.input_index[v];
-        if (degree[v] < 3 && body.face_count() > 2) return too_few_faces(name, degree[v]);
+        if (degree[v] < (body.face_count() > 2 ? 3U : 2U)) return too_few_faces(name, degree[v]);
         HalfEdge h = smallest[v];
         do {
             body.vertex_ring.push_back(h);

@@ -61,13 +61,14 @@ template <class To, class From>
     return {t.rotation.template cast<To>(), t.translation.template cast<To>()};
 }
 
-/// Distance of R from orthogonal: the largest entry of |R^T R - I|.
+/// Distance of R from orthogonal: the largest entry of |R^T R - I|; NaN if one is.
 [[nodiscard]] inline double ortho_error(const Mat3d& r) {
     double worst = 0;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j <= i; ++j) {
             const double product = dot(r.col(i), r.col(j));
-            worst = std::max(worst, std::abs(product - (i == j ? 1.0 : 0.0)));
+            const double off = std::abs(product - (i == j ? 1.0 : 0.0));
+            if (!(off <= worst)) worst = std::isnan(worst) ? worst : off;
         }
     }
     return worst;

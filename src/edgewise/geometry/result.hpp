@@ -17,8 +17,9 @@ struct Result {
     std::string warning;  ///< the value is valid, but the user should know this
 
     [[nodiscard]] explicit operator bool() const { return value.has_value(); }
-    [[nodiscard]] const Value& operator*() const { return *value; }
-    [[nodiscard]] Value& operator*() { return *value; }
+    [[nodiscard]] const Value& operator*() const& { return *value; }
+    [[nodiscard]] Value& operator*() & { return *value; }
+    [[nodiscard]] Value&& operator*() && { return *std::move(value); }
     [[nodiscard]] const Value* operator->() const { return &*value; }
 
     /// Returns the value, or throws std::invalid_argument with the error: for files and the command line.

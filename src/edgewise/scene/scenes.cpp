@@ -8,25 +8,28 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/scene_file.hpp"
 
 namespace edgewise::scene {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ParameterInfo, name, unit, meaning, standard, low, high, whole)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SceneInfo, name, meaning, warm, places_pairs, parameters)
+
 namespace {
 
-const std::vector<SceneKind>& scenes() {
-    static const std::vector<SceneKind> all = {static_scene(),  cold_scene(),      gap_scene(),
-                                               tumble_scene(),  proximity_scene(), pressure_scene(),
-                                               resting_scene(), recorded_scene()};
-    return all;
-}
+const std::map<std::string_view, MakeScene*> makers = {
+    {"static", make_static},   {"cold", make_cold},           {"gap", make_gap},
+    {"tumble", make_tumble},   {"proximity", make_proximity}, {"pressure", make_pressure},
+    {"resting", make_resting}, {"recorded", make_recorded}};
 
-const SceneKind* find_scene(std::string_view name) {
-    const auto found =
-        std::ranges::find(scenes(), name, [](const SceneKind& kind) { return kind.info.name; });
-    return found == scenes().end() ? nullptr : &*found;
+const SceneInfo* find_scene(std::string_view name) {
+    const auto found = std::ranges::find(list_scenes(), name, &SceneInfo::name);
+    return found == list_scenes().end() ? nullptr : &*found;
 }
 
 template <class Infos>
@@ -56,24 +59,22 @@ std::string unknown_scene(std::string_view scene) {
 
 }  // namespace
 
-std::vector<SceneInfo> list_scenes() {
-    std::vector<SceneInfo> infos;
-    for (const SceneKind& kind : scenes()) infos.push_back(kind.info);
-    return infos;
+const std::vector<SceneInfo>& list_scenes() {
+    static const auto all = nlohmann::json::parse(kind_texts).get<std::vector<SceneInfo>>();
+    return all;
 }
 
 Result<SceneParameters> complete_parameters(std::string_view scene, const SceneParameters& given) {
     using Failure = Result<SceneParameters>;
-    const SceneKind* kind = find_scene(scene);
-    if (!kind) return Failure::failure(unknown_scene(scene));
-    const SceneInfo& info = kind->info;
+    const SceneInfo* info = find_scene(scene);
+    if (!info) return Failure::failure(unknown_scene(scene));
     SceneParameters complete;
-    for (const ParameterInfo& parameter : info.parameters) complete[parameter.name] = parameter.standard;
+    for (const ParameterInfo& parameter : info->parameters) complete[parameter.name] = parameter.standard;
     for (const auto& [name, value] : given) {
-        const auto known = std::ranges::find(info.parameters, name, &ParameterInfo::name);
-        if (known == info.parameters.end()) {
+        const auto known = std::ranges::find(info->parameters, name, &ParameterInfo::name);
+        if (known == info->parameters.end()) {
             return Failure::failure(fmt::format("scene '{}': {}", scene,
-                                                unknown_name("parameter", name, names_of(info.parameters))));
+                                                unknown_name("parameter", name, names_of(info->parameters))));
         }
         const std::string wrong = check_value(scene, *known, value);
         if (!wrong.empty()) return Failure::failure(wrong);
@@ -94,12 +95,11 @@ Result<Workload> make_scene(std::string_view scene, const Polyhedron& shape, con
         return Failure::failure(
             fmt::format("scene '{}': the shape encloses no volume; scenes need solids", scene));
     }
-    const SceneKind& kind = *find_scene(scene);
-    if (kind.places_pairs && !distance) {
+    if (find_scene(scene)->places_pairs && !distance) {
         return Failure::failure(
             fmt::format("scene '{}' places pairs by their distance: give it a distance function", scene));
     }
-    return kind.make({shape, *parameters, seed, query_count, distance});
+    return makers.at(scene)({shape, *parameters, seed, query_count, distance});
 }
 
 // Parts that several scenes share.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The scenes by name (kinds/scene_*.cpp): what each is for, its parameters with their defaults and bounds,
-// and how to make one.
+// The scenes by name: what each is for, its parameters with their defaults and bounds (kinds/kinds.json), and
+// how to make one (kinds/scene_*.cpp).
 //
 // A body's *size* is its extent (the diagonal of its axis-aligned box); its *centre* the mean of its
 // vertices, a point inside. Bodies turn about their centre, and boxes and walls hold the centres, so that a
@@ -28,11 +28,14 @@ struct ParameterInfo {
 
 struct SceneInfo {
     std::string name, meaning;
-    bool warm;  ///< pairs keep their cache from query to query
+    bool warm;          ///< pairs keep their cache from query to query
+    bool places_pairs;  ///< by their distance: needs the function
     std::vector<ParameterInfo> parameters;
 };
 
-[[nodiscard]] std::vector<SceneInfo> list_scenes();
+/// The text of kinds.json.
+extern const char* const kind_texts;
+[[nodiscard]] const std::vector<SceneInfo>& list_scenes();
 
 /// The given parameters with the defaults of the others: the full identity of a scene. Unknown names and
 /// values out of bounds are errors that list what is known.

@@ -12,7 +12,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -38,8 +41,7 @@ struct PartOf {
 };
 
 /// From "3/8"; nothing for other texts.
-std::optional<PartOf> part_of(const MergeSource& source) {
-    const std::string text = source.value(shard_key);
+std::optional<PartOf> part_of(const std::string& text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return std::nullopt;
     const auto index = input::parse_count(std::string_view(text).substr(0, slash), {}),
@@ -106,12 +108,13 @@ class FileBeside {
     std::string out_, path_;
 };
 
+/// How many rounds there are may differ.
 std::vector<FigureRow> exact_figures_of(const sqlite::Database& of, const std::string& build,
                                         const std::string& hash) {
     std::vector<FigureRow> figures = figures_of(of, build, hash);
     std::erase_if(figures, [](const FigureRow& figure) {
         const FigureInfo* const info = find_figure(figure.probe, figure.name);
-        return !info || info->repeats != Repeats::exactly;
+        return figure.probe == "time" || !info || info->repeats != Repeats::exactly;
     });
     return figures;
 }
@@ -199,9 +202,10 @@ class Merge {
                 what = fmt::format("figure {}.{}", figure.probe, figure.name);
         }
         if (!what.empty())
-            throw std::runtime_error(
-                fmt::format("{} and {} disagree on {} {} {} {}: {}; one of them is damaged", other_path, path,
-                            here->scene, here->shape, here->algorithm, here->table, what));
+            throw std::runtime_error(fmt::format(
+                "{} and {} disagree on {} {} {} {}: {}; they were swept with other options, or one is "
+                "damaged",
+                other_path, path, here->scene, here->shape, here->algorithm, here->table, what));
     }
 
     sqlite::Database to_;
@@ -221,7 +225,7 @@ std::vector<MergeSource> sources_of(const std::vector<std::string>& stores) {
         if (!again) sources.emplace_back(path);
     }
     std::ranges::sort(sources, {}, [](const MergeSource& source) {
-        const auto part = part_of(source);
+        const auto part = part_of(source.value(shard_key));
         return std::pair(part ? part->index : 0, source.path);
     });
     return sources;
@@ -235,6 +239,15 @@ void check_out(const std::string& out) {
         throw std::runtime_error(fmt::format("{} is there and is no merged store: name another --out", out));
 }
 
+/// The store's own part if it is complete, and those of which it was merged.
+std::set<std::string> complete_parts(const MergeSource& source) {
+    std::istringstream words(source.value(merged_key));
+    std::set<std::string> parts{std::istream_iterator<std::string>(words), {}};
+    if (source.value(complete_key) == source.value(shard_key)) parts.insert(source.value(shard_key));
+    std::erase_if(parts, [](const std::string& text) { return !part_of(text); });
+    return parts;
+}
+
 void merge_meta(const std::vector<MergeSource>& sources, const Merge& merge) {
     for (const MergeSource& source : sources) {
         for (const auto& [key, value] : source.meta) {
@@ -244,7 +257,9 @@ void merge_meta(const std::vector<MergeSource>& sources, const Merge& merge) {
     }
     const std::vector<MergedBuild> builds = merge.builds();
     if (!builds.empty()) merge.put_meta("build", builds.front().id, "replace");
-    merge.put_meta(merged_key, "of several stores", "replace");
+    std::set<std::string> complete;
+    for (const MergeSource& source : sources) complete.merge(complete_parts(source));
+    merge.put_meta(merged_key, fmt::format("of {}", fmt::join(complete, " ")), "replace");
 }
 
 /// Throws if there are several values; the line names the first two and a file of each.
@@ -293,11 +308,15 @@ std::vector<std::string> missing_parts(const std::vector<MergeSource>& sources) 
     std::vector<std::string> missing;
     std::size_t count = 0;
     for (const MergeSource& source : sources) {
-        const auto part = part_of(source);
-        if (!part) continue;
-        count = part->count;
-        counts.try_emplace(std::to_string(count), source.path);
-        complete[part->index] |= source.value(complete_key) == source.value(shard_key);
+        const auto take = [&](const std::string& text, bool is_complete) {
+            const auto part = part_of(text);
+            if (!part) return;
+            count = part->count;
+            counts.try_emplace(std::to_string(count), source.path);
+            complete[part->index] |= is_complete;
+        };
+        take(source.value(shard_key), false);
+        for (const std::string& part : complete_parts(source)) take(part, true);
     }
     check_one(counts, "numbers of shards");
     for (std::size_t index = 0; index < count; ++index) {

@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -146,12 +147,18 @@ std::optional<StoredCell> Store::find_cell(const std::string& build, const std::
 
 std::vector<FigureRow> Store::with_stored_figures(const std::string& build, const std::string& hash,
                                                   std::vector<FigureRow> figures) const {
+    // Errors are of one population: those of other answers do not complete them.
+    const bool has_errors = std::ranges::find(figures, "error", &FigureRow::probe) != figures.end();
     for (const FigureRow& old : figures_of(database_, build, hash)) {
+        if (has_errors && old.probe == "error") continue;
         const auto now = std::ranges::find_if(figures, [&](const FigureRow& figure) {
             return figure.probe == old.probe && figure.name == old.name;
         });
-        if (old.value && now == figures.end()) figures.push_back(old);
-        if (old.value && now != figures.end() && !now->value) *now = old;
+        if (!old.value) continue;
+        if (now == figures.end())
+            figures.push_back(old);
+        else if (!now->value)
+            *now = old;
     }
     return figures;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/store/vocabulary.hpp"
 
+#include <cassert>
+
 namespace edgewise::store {
 
 std::string FigureName::name() const {
@@ -69,9 +71,8 @@ static bool fits(std::string_view pattern, std::string_view text) {
 }
 
 const FigureInfo* find_figure(std::string_view probe, std::string_view name) {
-    for (const auto part : vocabulary_parts)
-        for (const FigureInfo& info : part)
-            if (info.probe() == probe && fits(info.name(), name)) return &info;
+    for (const FigureInfo& info : vocabulary)
+        if (info.probe() == probe && fits(info.name(), name)) return &info;
     return nullptr;
 }
 

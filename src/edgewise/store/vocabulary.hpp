@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The name of every figure that a store can hold. A literal is looked up when the program is compiled: probes
-// make figures and reports look them up by the same names, and one that is renamed does not compile. Users
-// read it as `edgewise list figures` and docs/figures.md.
+// make figures and reports look them up by the same names, and one that is renamed does not compile. The rows
+// of the vocabulary are those of the table in docs/figures.md (cmake/tool.cmake); `edgewise list figures`
+// prints them.
 #pragma once
 
 #include <array>
@@ -14,13 +15,45 @@
 
 #include "edgewise/measure/cache/by_start.hpp"
 #include "edgewise/measure/expected.hpp"
-#include "edgewise/store/figures.hpp"
 
 namespace edgewise::store {
 
-inline constexpr std::span<const FigureInfo> vocabulary_parts[] = {vocabulary::memory,  vocabulary::time,
-                                                                   vocabulary::answers, vocabulary::effort,
-                                                                   vocabulary::fields,  vocabulary::thrash};
+/// The queries that a figure counts. A query starts cold if it is its pair's first, or if the scene keeps no
+/// answers; it starts warm from its pair's kept answer.
+enum class Population {
+    none,
+    all,
+    cold,
+    warm,
+    named,   ///< cold or warm, as the figure's name ends
+    steady,  ///< warm where pairs are followed; else all, which are cold
+    checked
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Population population) {
+    constexpr std::string_view names[] = {"none", "all", "cold", "warm", "named", "steady", "checked"};
+    return names[static_cast<int>(population)];
+}
+
+enum class Repeats {
+    exactly,  ///< the same bits in every run on every machine
+    timed     ///< measured: another run gives another number
+};
+
+struct FigureInfo {
+    std::string_view key;  ///< probe, a dot and the name: "time.all_ns", "heap.{structure}.slack_bytes"
+    std::string_view unit;
+    Population population;
+    Repeats repeats;
+    std::string_view meaning;
+
+    [[nodiscard]] constexpr std::string_view probe() const { return key.substr(0, key.find('.')); }
+    [[nodiscard]] constexpr std::string_view name() const { return key.substr(key.find('.') + 1); }
+};
+
+inline constexpr FigureInfo vocabulary[] = {
+#include "edgewise/store/figure_rows.inc"
+};
 
 /// A figure of the vocabulary, with texts that fill the braces of its name. These texts must outlive it.
 class FigureName {
@@ -59,9 +92,8 @@ class FigureName {
 
   private:
     static consteval const FigureInfo* find(std::string_view key) {
-        for (const auto part : vocabulary_parts)
-            for (const FigureInfo& info : part)
-                if (info.key == key) return &info;
+        for (const FigureInfo& info : vocabulary)
+            if (info.key == key) return &info;
         throw "no figure of this name is in the vocabulary";
     }
 

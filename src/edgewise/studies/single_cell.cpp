@@ -46,6 +46,11 @@ bench::RunnerOptions options_of(const CellChoice& choice, const bench::TableOpti
 
 scene::NamedShape shape_of(const CellChoice& choice) {
     if (choice.body) return *choice.body;
+    const bool is_recorded = scene::names_recording(choice.scene);
+    if (is_recorded && choice.shape != CellChoice{}.shape)
+        throw std::invalid_argument("a recording has bodies of its own: leave --shape out");
+    if (choice.as_stored && !is_recorded && !scene::names_mesh_file(choice.shape))
+        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
     auto shape = scene::named_shape(choice.shape, {.as_stored = choice.as_stored});
     if (!shape.warning.empty() && choice.warn) choice.warn(shape.warning);
     return std::move(shape).or_throw();

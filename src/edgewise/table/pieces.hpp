@@ -63,7 +63,7 @@ struct Share {
 /// The shares of one kind of element.
 class Shares {
   public:
-    static constexpr std::size_t most = 10;
+    static constexpr std::size_t most = 16;  ///< an edge's ten fields in any order, and padding between them
 
     Shares() = default;
     Shares(std::initializer_list<Share> shares) {

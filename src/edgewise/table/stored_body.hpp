@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/geometry/vertex_order.hpp"
@@ -54,7 +55,11 @@ template <class Table>
         if (stored->vertex_count() > Table::most_vertices)
             return detail::too_large<Table>(Table::most_vertices, "vertices", stored->vertex_count());
     }
-    if constexpr (requires { Table::vertex_order; }) return reordered(*stored, Table::vertex_order);
+    if constexpr (requires { Table::vertex_order; }) {
+        auto ordered = reordered(*stored, Table::vertex_order);
+        ordered.warning = std::move(stored.warning);
+        return ordered;
+    }
     return stored;
 }
 

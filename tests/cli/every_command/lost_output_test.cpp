@@ -23,15 +23,13 @@ class EveryCommand : public testing::TestWithParam<std::string> {
         return {called(GetParam(), {"--help"}), words, with(words, {"--json"})};
     }
 
-    void expect_loss_is_said(const Arguments& words, const Outcome& plain) const {
-        for (const auto& [to, reason] : std::map<std::string, std::string>{
-                 {">/dev/full", "No space left on device"}, {">&-", "Bad file descriptor"}}) {
-            const Outcome lost = run_in_shell("\"$0\" \"$@\" " + to, words, folder_);
-            EXPECT_EQ(lost.exit_code, 2) << to;
-            EXPECT_EQ(lost.err,
-                      plain.err + "edgewise: stdout: " + reason + ": what was printed is incomplete\n")
-                << to;
-        }
+    void expect_loss_is_said(const Arguments& words, const Outcome& plain, bool is_closed) const {
+        const std::string to = is_closed ? ">&-" : ">/dev/full",
+                          reason = is_closed ? "Bad file descriptor" : "No space left on device";
+        const Outcome lost = run_in_shell("\"$0\" \"$@\" " + to, words, folder_);
+        EXPECT_EQ(lost.exit_code, 2) << to;
+        EXPECT_EQ(lost.err, plain.err + "edgewise: stdout: " + reason + ": what was printed is incomplete\n")
+            << to;
     }
 
     /// Tables reserve all the addresses that they could ever need. If there are too few, they grow step by
@@ -49,16 +47,19 @@ class EveryCommand : public testing::TestWithParam<std::string> {
     Folder folder_;
 };
 
+/// One place looks at stdout for all commands: each is asked for each kind of loss, not for all of them with
+/// all its words.
 TEST_P(EveryCommand, SaysThatOutputIsLostAndNeedsFewAddresses) {
     const NoOtherPrograms none;
     fill(folder_);
-    for (const Arguments& words : command_lines()) {
+    const std::vector<Arguments> lines = command_lines();
+    for (const Arguments& words : lines) {
         SCOPED_TRACE(testing::PrintToString(words));
         const Outcome plain = run(words, folder_);
         EXPECT_NE(plain.exit_code, 2) << plain.err;
         EXPECT_NE(plain.out, "");
-        expect_loss_is_said(words, plain);
-        expect_the_same_in_four_gibibytes(words, plain);
+        expect_loss_is_said(words, plain, words == lines.back());
+        if (words == lines[1]) expect_the_same_in_four_gibibytes(words, plain);
     }
 }
 

@@ -115,6 +115,32 @@ TEST(Mesh, EveryCommandSaysWhatAColladaFileDoes) {
     }
 }
 
+/// The program of these tests has no report, by which advice is ranked: what advise says first is asked.
+TEST(Mesh, ARecordingsFileIsTurnedOrAsStored) {
+    const Folder folder;
+    folder.write("link.dae", collada_box());
+    std::string recording =
+        R"({"format":"convex-motion","version":0,"shapes":[{"type":"mesh","file":"link.dae"}],)"
+        R"("bodies":[{"shape":0},{"shape":0}]})";
+    for (const char* step :
+         {R"({"t":0,"poses":[[0,0,0,1,0,0,0],[0.00101)", R"({"t":1,"poses":[[0,0,0,1,0,0,0],[0.00102)"})
+        recording += std::string("\n") + step + ",0,0,1,0,0,0]]}";
+    folder.write("links.jsonl", recording + "\n");
+    for (const Arguments& command :
+         {Arguments{"lock", "--scene", "links.jsonl", "--table", "lean_f64", "--queries", "3"},
+          Arguments{"advise", "--scene", "links.jsonl", "--time", "5"}}) {
+        const Outcome turned = run(command, folder);
+        EXPECT_NE(turned.exit_code, 2) << command[0] << turned.err;
+        EXPECT_THAT(turned.err, HasSubstr("link.dae: turned from Z up")) << command[0];
+        const Outcome stored = run(with(command, {"--as-stored"}), folder);
+        EXPECT_NE(stored.exit_code, 2) << command[0] << stored.err;
+        EXPECT_THAT(stored.err, Not(HasSubstr("link.dae"))) << command[0];
+        if (command[0] == "lock") {
+            EXPECT_NE(stored.out, turned.out);
+        }
+    }
+}
+
 TEST(Mesh, AsStoredIsTheTwinInAnotherFormat) {
     const Folder folder;
     folder.write("link.dae", collada_box());

@@ -81,21 +81,5 @@ TEST(Clip, KeepsExactlyWhatNoPlaneCutsOff) {
     EXPECT_GT(single_points, 10);
 }
 
-/// The derivative of |tail + lambda along - point|^2 is zero there; between dyadic points exactly.
-TEST(Clip, ProjectionIsWhereTheDistanceIsLeast) {
-    scene::Rng rng(2);
-    double worst = 0;
-    for (int i = 0; i < 10000; ++i) {
-        const Vec3d tail = rng.in_cube(4);
-        const Vec3d along = rng.in_cube(2);
-        const double place = rng.uniform(-3, 3);
-        const Vec3d across = cross(along, rng.on_sphere());
-        const Vec3d point = tail + place * along + across;
-        worst = std::max(worst, std::abs(vclip::projection(tail, along, point) - place) * norm(along));
-    }
-    std::printf("projection: worst error %.3g of lengths up to 4\n", worst);
-    EXPECT_LT(worst, 1e-14);
-}
-
 }  // namespace
 }  // namespace edgewise

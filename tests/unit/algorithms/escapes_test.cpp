@@ -46,15 +46,6 @@ TEST(Escapes, AVertexBehindTheBodyLeavesTheFaceItIsUnder) {
     EXPECT_EQ(again.distance, answer.distance);
 }
 
-TEST(Escapes, NoneWherePlainBodiesLieSideBySide) {
-    const Polyhedron cube = *scene::make_shape("cube8");
-    const ReferenceTable table(cube);
-    Pair pair(table, table);
-    const Distance answer = VClip::query(table, table, shifted(3), pair);
-    EXPECT_EQ(answer.status, Status::separated);
-    EXPECT_EQ(answer.escapes, 0);
-}
-
 /// Tetrahedra in each other, each run from where the last one ended: now and then under a face.
 TEST(Escapes, AreCountedInPenetration) {
     const Polyhedron body = *scene::make_shape("tetra4");

@@ -260,27 +260,5 @@ TEST(Johnson, TakesASideOfATriangleWithCollinearCornersInWiderArithmetic) {
     EXPECT_GT(triangles, 100);
 }
 
-/// Solid by far: then the whole simplex must answer, and only then.
-TEST(Johnson, SaysThatTheOriginIsInsideExactlyWhenItIs) {
-    scene::Rng rng(2);
-    int inside = 0, outside = 0;
-    for (int i = 0; i < 100000; ++i) {
-        const Corners w = at_random(rng);
-        double least = 1;  // of the four corner volumes with the origin over that of the tetrahedron
-        const Vec3d p = w[1] - w[0], q = w[2] - w[0], r = w[3] - w[0];
-        const double whole = dot(p, cross(q, r));
-        for (int k = 0; k < 4; ++k) {
-            const Vec3d &a = w[(k + 1) & 3], &b = w[(k + 2) & 3], &c = w[(k + 3) & 3];
-            least = std::min(least, dot(a, cross(b, c)) * (k & 1 ? -1 : 1) / whole);
-        }
-        if (std::abs(whole) < 1e-3 || std::abs(least) < 1e-9) continue;
-        const bool holds = Johnson<double>(w, 4).closest().members == 15;
-        EXPECT_EQ(holds, least > 0);
-        ++(holds ? inside : outside);
-    }
-    EXPECT_GT(inside, 200);
-    EXPECT_GT(outside, 200);
-}
-
 }  // namespace
 }  // namespace edgewise

@@ -121,6 +121,7 @@ TEST_P(Normal, OfAVerdictSeparates) {
             continue;
         }
         ++separated;
+        EXPECT_GE(answer.distance, whole.distance * (1 - 1e-12) - 2e-15) << "an upper bound";
         const testing::PointPair points{body.vertices, testing::moved(body, relative_pose({}, pose))};
         EXPECT_LT(points.reach(answer.normal), 0);
     }

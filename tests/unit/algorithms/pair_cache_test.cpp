@@ -9,7 +9,6 @@
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/layouts/linked.hpp"
 #include "edgewise/scene/rng.hpp"
-#include "edgewise/scene/shapes.hpp"
 
 namespace edgewise {
 namespace {
@@ -75,32 +74,6 @@ TEST(PairCache, KeepsNoHandleThatDoesNotFit) {
             EXPECT_EQ(pair.starts_warm(shape, shape), fits);
         }
     }
-}
-
-/// V-Clip's pair is asked again where it ended, whatever the features there are.
-template <class Table>
-void expect_same_features() {
-    const Table table(*scene::make_shape("sphere38"), Parts::features);
-    scene::Rng rng(9);
-    int kinds[3] = {};
-    for (int i = 0; i < 500; ++i) {
-        const Transform<double> pose{rng.rotation(), rng.on_sphere() * 2.5};
-        FeaturePair<Table, Table> pair(table, table);
-        const Distance first = VClip::query(table, table, pose, pair);
-        if (first.status != Status::separated || first.fallbacks + first.refinements > 0) continue;
-        ++kinds[static_cast<int>(pair.start(table, table).a.kind())];
-        const Distance again = VClip::query(table, table, pose, pair);
-        EXPECT_EQ(again.steps, 1);
-        EXPECT_EQ(again.distance, first.distance);
-    }
-    for (const int count : kinds) EXPECT_GT(count, 20);
-}
-
-TEST(PairCache, LeadsBackToTheFeatures) {
-    expect_same_features<aos<f64>>();
-    expect_same_features<lean<f64>>();
-    expect_same_features<lean<f32>>();
-    expect_same_features<linked<f64>>();
 }
 
 }  // namespace

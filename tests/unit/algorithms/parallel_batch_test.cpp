@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Batches over threads, and V-Clip's batches: every answer and every pair left behind to the bit those of
-// single queries, for all widths and numbers of threads; and the requested number of threads is used.
+// Batches, in lanes or not, over threads: every answer and every pair left behind to the bit those of single
+// queries, for all widths and numbers of threads; and the requested number of threads is used.
 #include "edgewise/algorithms/parallel_batch.hpp"
 
 #include <gtest/gtest.h>
@@ -43,9 +43,10 @@ class ParallelBatches : public ::testing::Test {
     /// TBB starts one thread per core; this test needs four on any machine.
     tbb::global_control four_{tbb::global_control::max_allowed_parallelism, 4};
 };
-using AskedCases = ::testing::Types<Asked<points_soa<f64>, Gjk>, Asked<points_soa<f32>, Gjk>,
-                                    Asked<lean<f64>, Gjk>, Asked<aos<f64>, Gjk>, Asked<linked<f64>, Gjk>,
-                                    Asked<lean<f64>, VClip>, Asked<lean<f32>, VClip>, Asked<aos<f64>, VClip>>;
+using AskedCases =
+    ::testing::Types<Asked<points_soa<f64>, Gjk>, Asked<points_soa<f32>, Gjk>, Asked<points_soa<mixed>, Gjk>,
+                     Asked<lean<f64>, Gjk>, Asked<lean<f32>, Gjk>, Asked<aos<f64>, Gjk>,
+                     Asked<linked<f64>, Gjk>, Asked<lean<f32>, VClip>, Asked<aos<f64>, VClip>>;
 TYPED_TEST_SUITE(ParallelBatches, AskedCases);
 
 struct Differences {
@@ -90,7 +91,9 @@ TYPED_TEST(ParallelBatches, AreToTheBitSingleQueriesInAnyNumberOfThreads) {
 }
 
 TYPED_TEST(ParallelBatches, HonourTheOptions) {
-    for (const QueryOptions& options : {QueryOptions{.contact_tolerance = 0.3}, QueryOptions{.cutoff = 0}})
+    for (const QueryOptions& options :
+         {QueryOptions{.contact_tolerance = 0.3}, QueryOptions{.gap_tolerance = 1e-2},
+          QueryOptions{.cutoff = 0}, QueryOptions{.sub_distance = SubDistanceSolver::johnson}})
         EXPECT_EQ(differences<TypeParam>(has_lanes(), 4, options).different, 0U);
 }
 
@@ -104,6 +107,31 @@ TYPED_TEST(ParallelBatches, TakeAnyNumberOfQueries) {
         query_batch_parallel<Table, Table, Algorithm>(crowd.queries, answers, {}, 4);
         for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
     }
+}
+
+/// Cold pairs of bodies of up to 16 vertices, a third of all.
+TEST(GjkBatch, SearchesInLanes) {
+    if (!has_lanes()) GTEST_SKIP() << "this processor has no lanes";
+    using Table = lean<f64>;
+    PairCrowd<Table> crowd(4000);
+    std::vector<Distance> answers(crowd.queries.size());
+    GjkBatch<Table, Table> batch(crowd.queries, answers, {});
+    batch.run();
+    EXPECT_GT(batch.asked_singly(), 2000U);
+    EXPECT_LT(batch.asked_singly(), 3000U);
+}
+
+/// Tables were rebuilt since the last query: their pairs start cold.
+TEST(GjkBatch, FollowsNoHandleOfARebuiltTable) {
+    using Table = points_soa<f64>;
+    PairCrowd<Table> crowd(500);
+    static_cast<void>(crowd.one_by_one({}));
+    crowd.batch_pairs = crowd.single_pairs;
+    for (Table& table : crowd.tables) table = Table(scene::make_shape("tetra4").or_throw(), Parts::support);
+    const std::vector<Distance> expected = crowd.one_by_one({});
+    std::vector<Distance> answers(crowd.queries.size());
+    query_batch<Table, Table>(crowd.queries, answers);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_TRUE(same_bits(expected[i], answers[i])) << i;
 }
 
 /// GJK that notes the threads that ask it, and waits until enough have, up to ten seconds.

@@ -101,16 +101,6 @@ TEST(Penetration, AlignedBoxesAreExact) {
     }
 }
 
-TEST(Penetration, TouchingIsDepthZero) {
-    const Polyhedron cube = box(1, 1, 1);
-    for (const auto& at : {Vec3d(2, 0, 0), Vec3d(2, 0.5, -1), Vec3d(2, 2, 0.25), Vec3d(-2, 2, 2)}) {
-        const Penetration answer = ask(cube, cube, shifted(at.x(), at.y(), at.z()));
-        EXPECT_EQ(answer.depth, 0);
-        EXPECT_EQ(answer.point_a, answer.point_b);
-        EXPECT_GE(dot(answer.normal, at), 2);  // leads away
-    }
-}
-
 /// Oblique faces, edges and tips that touch exactly: the normals round, the verdict must not.
 TEST(Penetration, TouchingObliquelyIsDepthZero) {
     const Vec3d axes(1, 0.75, 0.3125);
@@ -128,6 +118,7 @@ TEST(Penetration, TouchingObliquelyIsDepthZero) {
         const Vec3d at = axes.cwiseProduct(Vec3d(x, -y, x + y - 2));
         const Penetration answer = ask(octahedron, octahedron, shifted(at.x(), at.y(), at.z()));
         EXPECT_EQ(answer.depth, 0);
+        EXPECT_GT(dot(answer.normal, at), 0) << "leads away";
         EXPECT_LT(norm(Vec3d(answer.point_a - answer.point_b)), 1e-15);
     }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <type_traits>
+#include <utility>
 
 #include "edgewise/algorithms/gjk.hpp"
 #include "edgewise/algorithms/near_pair.hpp"
@@ -54,6 +55,12 @@ void keep_a_pair_over_rebuilds() {
         EXPECT_TRUE(kept.belongs_to(table, other));
     }
 }
+
+// A temporary body, also that of a Result, would be gone before the first query.
+using TemporaryBody = decltype(*std::declval<Result<Polyhedron>>());
+static_assert(!std::is_constructible_v<lazy<f64>, TemporaryBody, Parts>);
+static_assert(!std::is_constructible_v<Canonical, TemporaryBody>);
+static_assert(std::is_constructible_v<lean<f64>, TemporaryBody, Parts>);
 
 TEST(RebuiltTable, AnOldPairStartsCold) {
     keep_a_pair_over_rebuilds<Gjk, points_neighbours<f64>>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One table at many scales: GJK over a stretched view compared with the exact distance of the stretched
-// points, climbs with scans, and a view that stretches nothing with the table.
+// points, and climbs with scans.
 #include "edgewise/table/scaled_table.hpp"
 
 #include <gtest/gtest.h>
@@ -129,23 +129,6 @@ TEST(ScaledTable, ClimbsFindWhatScansFind) {
     }
     std::printf("a climb ends %.2g of the reach below a scan\n", worst);
     EXPECT_LE(worst, Tolerance<double>::level);
-}
-
-TEST(ScaledTable, OfScaleOneIsTheTable) {
-    using Table = lean<f64>;
-    const Table table(stored<Table>("sphere38"), Parts::support);
-    const ScaledTable<Table> view(table, {1, 1, 1});
-    scene::Rng rng(9);
-    for (int i = 0; i < 200; ++i) {
-        const Transform<double> a_from_b = relative_pose(Pose{}, near_pose(rng, 2));
-        SimplexPair<Table, Table> of_tables(table, table);
-        SimplexPair<ScaledTable<Table>, ScaledTable<Table>> of_views(view, view);
-        const Distance plain = Gjk::query(table, table, a_from_b, of_tables),
-                       scaled = Gjk::query(view, view, a_from_b, of_views);
-        EXPECT_EQ(plain.status, scaled.status);
-        EXPECT_EQ(plain.distance, scaled.distance);
-        EXPECT_EQ(plain.point_a, scaled.point_a);
-    }
 }
 
 static_assert(ClimbingTable<ScaledTable<lean<f32>>>);

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -97,71 +96,6 @@ TEST(BuildTimes, AreAsManyAsAsked) {
         EXPECT_EQ(times.refit_ns.size(), 3U) << type->name;
     }
 }
-
-std::vector<Distance> answers(const TableType& type, const std::string& algorithm, VertexOrder order,
-                              const scene::Workload& workload) {
-    const auto runner = type.make_runner(algorithm);
-    runner->configure({.tables = {.order = order}});
-    EXPECT_EQ(runner->load(workload), "");
-    return runner->answer();
-}
-
-void expect_same_bits(const std::vector<Distance>& found, const std::vector<Distance>& expected) {
-    ASSERT_EQ(found.size(), expected.size());
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const Distance &a = found[i], &b = expected[i];
-        other += a.status != b.status || a.steps != b.steps ||
-                 std::memcmp(&a.distance, &b.distance, sizeof a.distance) != 0 || a.point_a != b.point_a ||
-                 a.point_b != b.point_b;
-    }
-    EXPECT_EQ(other, 0U) << "of " << found.size();
-}
-
-/// A relative table type, and the plain table type that must give the same answers.
-struct Like {
-    const char *relative, *plain;
-};
-
-class RelativeOrder : public ::testing::TestWithParam<Like> {};
-
-TEST_P(RelativeOrder, AnswersAsThePlainTableInThatOrder) {
-    const TableType *relative = find_table_type(GetParam().relative),
-                    *plain = find_table_type(GetParam().plain);
-    if (!relative || !plain) GTEST_SKIP() << "this program has not both";
-    for (const double random : {0, 1}) {
-        for (const char* shape : {"cube8", "sphere386", "uv_sphere386", "sphere6146"}) {
-            const scene::Workload workload =
-                scene::make_scene(
-                    "tumble", scene::make_shape(shape).or_throw(),
-                    scene::complete_parameters("tumble", {{"random_orientation", random}}).or_throw(), 1, 500,
-                    {})
-                    .or_throw();
-            for (const std::string& algorithm : relative->algorithms) {
-                SCOPED_TRACE(std::string(shape) + " " + algorithm);
-                expect_same_bits(answers(*relative, algorithm, VertexOrder::given, workload),
-                                 answers(*plain, algorithm, VertexOrder::rcm, workload));
-            }
-        }
-    }
-}
-
-TEST_P(RelativeOrder, CountsWhatTheUsersIndicesTake) {
-    const TableType* relative = find_table_type(GetParam().relative);
-    if (!relative) GTEST_SKIP() << "this program has not this one";
-    for (const char* shape : {"sphere38", "sphere386"}) {
-        const Polyhedron body = relative->stored_body(scene::make_shape(shape).or_throw()).or_throw();
-        EXPECT_EQ(relative->ledger(body, Parts::features)[Component::input_order], 0U);
-        const std::size_t width = body.vertex_count() > 256 ? 2 : 1;
-        EXPECT_EQ(relative->input_order_bytes(body), width * body.vertex_count());
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, RelativeOrder,
-                         ::testing::Values(Like{"lean_relative_f64", "lean_f64"},
-                                           Like{"lean_relative_f32", "lean_f32"},
-                                           Like{"quantised_relative_f64", "quantised_f64"}),
-                         [](const auto& of) { return std::string(of.param.relative); });
 
 TEST(RelativeOrder, NamesFeaturesByTheUsersIndices) {
     const TableType* relative = find_table_type("lean_relative_f64");

@@ -195,6 +195,7 @@ TEST(FromFaces, RefusesBrokenSurfaces) {
     expect_refused(cube_points, repeated, "face 3 passes vertex 6 twice");
 
     expect_refused(cube_points, {}, "0 faces");
+    EXPECT_EQ(build_polyhedron({}).error, "there are no faces");
     expect_refused(box_points(Vec3d(1, 1, 0)), box_faces(), "flat");
 }
 

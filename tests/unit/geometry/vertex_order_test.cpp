@@ -215,16 +215,6 @@ TEST(RoundToSingle, RoundsEveryCoordinate) {
     EXPECT_EQ(rounded->vertices, box_points(Vec3d(tenth, 2 * tenth, 4 * tenth)));
 }
 
-TEST(RoundToSingle, LeavesRepresentableBodiesAlone) {
-    const Result<Polyhedron> cube = convex_hull(box_points(Vec3d(0.5, 0.25, 3)));
-    ASSERT_TRUE(cube);
-    const Result<Polyhedron> rounded = round_to_single(*cube);
-    ASSERT_TRUE(rounded) << rounded.error;
-    EXPECT_EQ(rounded->vertices, cube->vertices);
-    EXPECT_EQ(rounded->face_ring, cube->face_ring);
-    EXPECT_EQ(rounded.warning, "");
-}
-
 TEST(RoundToSingle, IsTheHullOfTheRoundedVertices) {
     Dice dice(17);
     int bent = 0;

@@ -131,23 +131,6 @@ void twenty_numbers(BlockPlan& plan) {
     plan.array(numbers, 20, {{Component::topology, sizeof(double)}});
 }
 
-TEST(Block, TakesItsMemoryFromWhereItIsTold) {
-    std::array<std::byte, 256> place;
-    std::pmr::monotonic_buffer_resource resource(place.data(), place.size(),
-                                                 std::pmr::null_memory_resource());
-    const Block outside(twenty_numbers);
-    {
-        const TablesIn placed(resource);
-        const Block inside(twenty_numbers);
-        EXPECT_GE(inside.base(), place.data());
-        EXPECT_LT(inside.base(), place.data() + place.size());
-        EXPECT_THROW(Block{twenty_numbers}, std::bad_alloc)
-            << "one block of 256 bytes fits, a second may not";
-    }
-    const Block after(twenty_numbers);
-    EXPECT_TRUE(after.base() < place.data() || after.base() >= place.data() + place.size());
-}
-
 TEST(Block, HasOneOwnerAndViews) {
     Block block(twenty_numbers);
     const std::byte* const base = block.base();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/algorithms/vclip.hpp"
 #include "edgewise/layouts/lean.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/shapes.hpp"
@@ -96,6 +97,19 @@ TEST(Box, RefusesOtherBodies) {
     EXPECT_NE(error(convex_hull(points).or_throw()), "") << "elsewhere";
     for (Vec3d& v : points) v = {0.8 * v.x() - 0.8 - 0.6 * v.y(), 0.6 * v.x() - 0.6 + 0.8 * v.y(), v.z()};
     EXPECT_NE(error(convex_hull(points).or_throw()), "") << "turned";
+}
+
+/// A plate and a tip above it, asked twice: whatever parts were asked for, the box has faces.
+TEST(Box, HasItsFacesWhateverPartsAreAskedFor) {
+    const auto plate = stored_body<box<f64>>(convex_hull(corners({10, 10, 0.1})).or_throw()).or_throw();
+    const std::vector<Vec3d> tip = {{0, 1, 2}, {1, -1, 2}, {-1, -1, 2}, {0.1, 0.2, 1}};
+    const lean<f64> above(convex_hull(tip).or_throw(), Parts::features);
+    for (const Parts parts : {Parts::support, Parts::features}) {
+        const box<f64> table(plate, parts);
+        FeaturePair<box<f64>, lean<f64>> pair(table, above);
+        for (int i = 0; i < 2; ++i)
+            EXPECT_NEAR(VClip::query(table, above, relative_pose(Pose{}, Pose{}), pair).distance, 0.9, 1e-15);
+    }
 }
 
 /// On a lattice vertices are level; a side below the rounding step of another is absorbed.

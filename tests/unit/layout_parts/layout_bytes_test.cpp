@@ -284,17 +284,5 @@ TEST(LayoutBytes, OfASmallTableAreItsPayloadAndOneLine) {
     EXPECT_LE(all_in(static_cast<const points_soa<f64>*>(nullptr), "tetra4"), 160U);
 }
 
-/// The paper's figures: 168 bytes per edge and half of it, in the limit where V/E is a third.
-TEST(LayoutBytes, APaperEdgeIs168BytesAndHalfInSingle) {
-    const Polyhedron small = *scene::make_shape("sphere38"), large = *scene::make_shape("sphere386");
-    const auto slope = [&]<class Table>(const Table* /*unused*/) {
-        const Bytes more = Table(large, Parts::features).ledger().paper_subtotal() -
-                           Table(small, Parts::features).ledger().paper_subtotal();
-        return static_cast<double>(more) / static_cast<double>(large.edge_count() - small.edge_count());
-    };
-    EXPECT_EQ(slope(static_cast<const aos<f64>*>(nullptr)), 168);
-    EXPECT_EQ(slope(static_cast<const aos<f32>*>(nullptr)), 84);
-}
-
 }  // namespace
 }  // namespace edgewise

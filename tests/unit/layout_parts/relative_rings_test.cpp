@@ -167,20 +167,5 @@ TEST(IndexWidth, IndicesWidenAtTheirLimits) {
     }
 }
 
-TEST(IndexWidth, NeighboursOf256VerticesTakeOneByteAndOf257Two) {
-    for (const std::size_t count : {256, 257}) {
-        const Polyhedron body = testing::round_body(count);
-        ASSERT_EQ(body.vertex_count(), count);
-        const lean<f64> table(body, Parts::features);
-        const std::size_t bytes = count == 256 ? 1 : 2;
-        EXPECT_EQ(table.ledger()[Component::topology],
-                  2 * (body.vertex_count() + 1) + bytes * 2 * body.edge_count());
-        for (Index v = 0; v < body.vertex_count(); ++v) {
-            std::size_t at = 0;
-            for (const Index w : table.neighbours(v)) EXPECT_EQ(w, body.head(body.ring_of_vertex(v)[at++]));
-        }
-    }
-}
-
 }  // namespace
 }  // namespace edgewise

@@ -110,6 +110,10 @@ const Wrong wrong_files[] = {
     {"/memory", nullptr, "memory", "an object"},
     {"/memory/latency_cycles", -1, "memory.latency_cycles", "a number from 0"},
     {"/tlb", json::object({{"page_bytes", 4096}}), "tlb.levels", "a list, not empty"},
+    {"/tlb",
+     json::parse(
+         R"({"page_bytes":4096,"levels":[{"name":"TLB","entries":64,"ways":4,"inclusion":"exclusive"}]})"),
+     "tlb.levels[0].inclusion", "nothing is above"},
     {"/levels/1/ways", 0, "levels[1].ways", "full associativity: that is 1024 here"},
     {"/levels/1/bytes", "64X", "levels[1].bytes", "as 49152 or \"48K\""},
     {"/levels/1/bytes", "384 KiB (8 instances)", "levels[1].bytes", "as 49152 or \"48K\""},
@@ -152,23 +156,6 @@ TEST(CacheMachine, HasNoMemberThatNobodyKnows) {
             << pointer;
     }
     EXPECT_GE(misspelt, 17);
-}
-
-/// As people have them, with two first levels.
-TEST(CacheMachine, IsReadWithTwoFirstLevels) {
-    const CacheMachine lion_cove = parse_cache_machine(
-        R"({"what": "Arrow Lake: first level 48K, then 192K, then L2 3M", "line_bytes": 64, "levels": [)"
-        R"({"name": "L0D", "bytes": 49152, "ways": 12}, {"name": "L1D", "bytes": 196608, "ways": 12}, )"
-        R"({"name": "L2", "bytes": 3145728, "ways": 12}, {"name": "L3", "bytes": 37748736, "ways": 12}]})",
-        "arrow");
-    const std::vector<std::pair<std::string, std::uint64_t>> levels = {
-        {"L0D", 49152}, {"L1D", 196608}, {"L2", 3145728}, {"L3", 37748736}};
-    ASSERT_EQ(lion_cove.caches.levels.size(), levels.size());
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        EXPECT_EQ(lion_cove.caches.levels[i].name, levels[i].first);
-        EXPECT_EQ(lion_cove.caches.levels[i].ways, 12U);
-        EXPECT_EQ(lion_cove.caches.bytes_of(i), levels[i].second);
-    }
 }
 
 TEST(CacheMachine, TakesSizesAsTheyAreWritten) {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <random>
 #include <vector>
@@ -44,21 +43,6 @@ TEST(CacheModel, ASequenceMissesOnceALine) {
         for (std::uint64_t at = 0; at < 4096; at += 8) model.access(at, 8, Kind::read);
         EXPECT_EQ(model.counts(0).accesses, 512U);
         EXPECT_EQ(model.counts(0).misses, 4096 / line);
-    }
-}
-
-/// A set keeps one line per way. With one line more, accessed in turn, LRU misses on every access.
-TEST(CacheModel, OneLineTooManyInASetThrashesIt) {
-    for (const std::uint32_t sets : {1U, 8U, 12U}) {  // 12: not a power of two
-        for (const std::uint32_t ways : {1U, 2U, 4U, 12U}) {
-            std::vector<std::uint64_t> lines;
-            for (std::uint64_t i = 0; i < ways; ++i) lines.push_back(5 + i * sets);
-            CacheModel fits = model_of({level(sets, ways)});
-            EXPECT_EQ(misses_of(fits, lines, 10), ways);
-            lines.push_back(5 + ways * sets);
-            CacheModel thrashes = model_of({level(sets, ways)});
-            EXPECT_EQ(misses_of(thrashes, lines, 10), 10 * (ways + 1));
-        }
     }
 }
 
@@ -180,7 +164,8 @@ class PlainCache {
 };
 
 TEST(CacheModel, IsAListASetOnRandomStreams) {
-    const std::pair<std::uint32_t, std::uint32_t> shapes[] = {{64, 8}, {64, 12}, {48, 11}, {7, 3}, {1, 40}};
+    const std::pair<std::uint32_t, std::uint32_t> shapes[] = {{64, 8}, {64, 12}, {48, 11},
+                                                              {7, 3},  {1, 40},  {12, 1}};
     for (const auto& [sets, ways] : shapes) {
         CacheModel model = model_of({level(sets, ways), level(4 * sets, 16)});
         PlainCache first(sets, ways), second(4 * sets, 16);
@@ -226,9 +211,8 @@ TEST(Calibration, ModelsWhatArithmeticSays) {
     ASSERT_EQ(rows.size(), 8U);
     for (const CalibrationRow& row : rows) {
         const double expected = row.times > 1 ? 1 - 1 / row.times : 0;
-        std::printf("%s %.1f: modelled %.4f, %.2f ns\n", row.level.c_str(), row.times, row.modelled, row.ns);
-        EXPECT_NEAR(row.modelled, expected, 0.01);
-        EXPECT_GT(row.ns, 0);
+        EXPECT_NEAR(row.modelled.value(), expected, 0.01);
+        EXPECT_GT(row.ns.value(), 0);
         EXPECT_NE(row.counted.has_value(), !row.reason.empty()) << "counted, or said why not";
     }
 }

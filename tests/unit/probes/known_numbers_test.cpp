@@ -171,8 +171,12 @@ TEST(Error, HasQuantilesOfTheGivenBodiesWhereThereAreEnoughAnswers) {
 
     const measure::Figure of_999 = by_name(error::figures(ranked_answers(999), {})).at("p999_error_given");
     EXPECT_FALSE(of_999.value);
-    EXPECT_NE(of_999.reason.find("999 checked answers"), std::string::npos) << of_999.reason;
+    EXPECT_NE(of_999.reason.find("999 checked distances"), std::string::npos) << of_999.reason;
     EXPECT_NE(of_999.remedy.find("1000"), std::string::npos) << of_999.remedy;
+
+    std::vector<truth::CheckedAnswer> mostly_without = ranked_answers(1200);
+    for (std::size_t i = 300; i < mostly_without.size(); ++i) mostly_without[i].has_distance = false;
+    EXPECT_FALSE(by_name(error::figures(mostly_without, {})).at("p999_error_given").value);
 }
 
 TEST(Error, OfNoAnswerIsNoNumber) {

@@ -40,6 +40,15 @@ TEST(Time, IsMediansAndRatiosOfTheSameRound) {
     EXPECT_FALSE(few.at("separated_ns_low").value);
 }
 
+TEST(Time, IsTheCellsOwnWhereTheBaselineHasNoSuchPair) {
+    std::vector<measure::Round> rounds = nine_rounds();
+    for (measure::Round& round : rounds) round.baseline.overlapping_queries = 0;
+    auto found = by_name(time::figures(rounds, true));
+    EXPECT_EQ(found["overlapping_ns"].value, 208);
+    EXPECT_FALSE(found["overlapping_ratio"].value);
+    EXPECT_EQ(found["overlapping_ratio"].reason, "the baseline has no such query");
+}
+
 TEST(Time, OfAllPairsIsTheBothTogether) {
     const auto time = by_name(time::figures(nine_rounds(), true));
     // 10 separated at 104 ns and 5 overlapping at twice that, a median round of the nine.

@@ -7,8 +7,10 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <numbers>
 
 #include "edgewise/scene/case_text.hpp"
+#include "edgewise/scene/motion.hpp"
 
 namespace edgewise::scene {
 namespace {
@@ -221,6 +223,20 @@ TEST(Dump, ReadsItsOwnTemplate) {
     EXPECT_EQ(found.pair.a.vertices.size(), 4U);
     EXPECT_EQ(found.pair.pose_b.translation, Vec3d(3, 0, 0));
     EXPECT_EQ(found.pair.pose_b.rotation(0, 1), -1);
+}
+
+/// For every turn about every kind of axis: the intended axis and angle.
+TEST(CaseText, SaysTurnsByAxisAndAngle) {
+    for (const double degrees : {0.001, 1.0, 45.0, 90.0, 179.0, 179.99999, 180.0}) {
+        for (const Vec3d& axis : {Vec3d(1, 0, 0), Vec3d(0, 0, -1), Vec3d(0.6, 0, 0.8), Vec3d(-0.6, 0.8, 0),
+                                  Vec3d(2 / 3.0, -2 / 3.0, 1 / 3.0)}) {
+            const Turn turn =
+                turn_of(rotation_matrix(rotation_about(axis, degrees / 180 * std::numbers::pi)));
+            EXPECT_NEAR(turn.degrees, degrees, 1e-9);
+            const double sign = degrees == 180 && dot(turn.axis, axis) < 0 ? -1 : 1;
+            EXPECT_LT(max_abs(Vec3d(sign * turn.axis - axis)), 1e-9) << degrees << " about " << axis;
+        }
+    }
 }
 
 /// Time goes with the length of what strangers send, not with its square.

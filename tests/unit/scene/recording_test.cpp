@@ -302,7 +302,7 @@ TEST(Recorder, RefusesBadCalls) {
     const std::array<double, 7> at_rest = {0, 0, 0, 1, 0, 0, 0};
     const std::vector<std::array<double, 7>> poses = {at_rest}, two = {at_rest, at_rest};
     const std::vector<std::array<double, 7>> endless = {{0, INFINITY, 0, 1, 0, 0, 0}}, flat = {{}};
-    const std::vector<std::array<std::size_t, 2>> pairs = {{0, 1}};
+    const std::vector<std::array<std::size_t, 2>> pairs = {{0, 1}}, self = {{0, 0}};
     const std::pair<Calls, const char*> all[] = {
         {[&](auto& r) { r.step({.time = 0, .poses = two}); }, "2 poses of 1 links"},
         {[&](auto& r) { r.step({.time = 0, .poses = endless}); }, "poses[0] is not finite"},
@@ -312,6 +312,14 @@ TEST(Recorder, RefusesBadCalls) {
         {[&](auto& r) { r.add_body({.shape = 3}); }, "shape is number 3 of 1"},
         {[&](auto& r) { r.add_sphere(-1); }, "a radius is below 0"},
         {[&](auto& r) { r.add_hull({}); }, "a hull has no vertices"},
+        {[&](auto& r) { r.add_capsule(-1, 1); }, "a half length of a capsule is below 0"},
+        {[&](auto& r) {
+             r.add_body({.shape = 0, .scale = {-1, 1, 1}});
+         },
+         "mirror its vertices"},
+        {[&](auto& r) { r.exclude(0, 4), r.step({.time = 0, .poses = poses}); },
+         "link 4 is a parent or excluded"},
+        {[&](auto& r) { r.step({.time = 0, .poses = poses, .pairs = self}); }, "a body with itself"},
         {[&](auto& r) { r.step({.time = 1, .poses = poses}), r.step({.time = 0, .poses = poses}); },
          "time goes back without a jump"},
         {[&](auto& r) { r.step({.time = 1, .poses = poses}), r.add_body({}); }, "after the first step"}};

@@ -48,7 +48,8 @@ class Merging : public StoreTest {
             cell.scene = "tumble";
             cell.status = CellStatus::verified;
             const FigureRow figures[] = {{{"total_bytes_per_edge", made.bytes, "B/edge"}, "bytes"},
-                                         {{"all_ns", 100.0 + made.rounds, "ns"}, "time"}};
+                                         {{"all_ns", 100.0 + made.rounds, "ns"}, "time"},
+                                         {{"rounds", 1.0 * made.rounds, "rounds"}, "time"}};
             store.put_cell(made.build, cell, figures);
             for (int round = 0; round < made.rounds; ++round) {
                 const std::pair<std::string, measure::Round> one[] = {{hash, sample_round(round)}};
@@ -91,7 +92,7 @@ TEST_F(Merging, PartsComeOutAsOneInAnyOrderAndAgain) {
         EXPECT_EQ(summary.builds[0].cells, 3U);
         EXPECT_THAT(hashes(), ElementsAre("c1", "c2", "c3"));
         const StoredBuild read = read_build(out());
-        EXPECT_EQ(read.cells[1].figures.size(), 2U);
+        EXPECT_EQ(read.cells[1].figures.size(), 3U);
         ASSERT_EQ(read.cells[1].rounds.size(), 3U);
         EXPECT_TRUE(equal(read.cells[1].rounds[2], sample_round(2)));
         EXPECT_EQ(find_meta(out(), "plan"), "quick");
@@ -108,6 +109,14 @@ TEST_F(Merging, SaysWhatIsMissing) {
                             "shard 2/4 was stopped before its end: run it again, it goes on there",
                             "shard 3/4 is missing: no store is of it"));
     EXPECT_THAT(hashes(), ElementsAre("c1", "c2")) << "what is there is merged";
+}
+
+TEST_F(Merging, KnowsThePartsOfAMergedStore) {
+    const std::string a = make("a.db", {.shard = "0/2", .cells = {"c1"}});
+    const std::string b = make("b.db", {.shard = "1/2", .cells = {"c2"}});
+    EXPECT_THAT(merge_stores({a}, out(), false).missing, testing::SizeIs(1));
+    EXPECT_THAT(merge_stores({out(), b}, out(), false).missing, testing::IsEmpty());
+    EXPECT_THAT(merge_stores({out()}, out(), false).missing, testing::IsEmpty());
 }
 
 TEST_F(Merging, KeepsMachinesAsTheyAre) {

@@ -107,25 +107,21 @@ constexpr FigureName misses("caches.{machine}.{level}.misses_per_query");
 
 TEST(Vocabulary, NamesEachFigureOnceWithAUnitAndAMeaning) {
     std::set<std::string_view> keys;
-    for (const auto part : vocabulary_parts) {
-        for (const FigureInfo& info : part) {
-            EXPECT_TRUE(keys.insert(info.key).second) << info.key;
-            EXPECT_NE(info.key.find('.'), std::string_view::npos) << info.key;
-            EXPECT_FALSE(info.unit.empty() || info.meaning.empty()) << info.key;
-        }
+    for (const FigureInfo& info : vocabulary) {
+        EXPECT_TRUE(keys.insert(info.key).second) << info.key;
+        EXPECT_NE(info.key.find('.'), std::string_view::npos) << info.key;
+        EXPECT_FALSE(info.unit.empty() || info.meaning.empty()) << info.key;
     }
     EXPECT_GT(keys.size(), 150U);
 }
 
 /// A figure that is made is found again, filled or not.
 TEST(Vocabulary, FindsWhatItMakes) {
-    for (const auto part : vocabulary_parts) {
-        for (const FigureInfo& info : part) {
-            std::string name(info.name());
-            for (std::size_t open; (open = name.find('{')) != std::string::npos;)
-                name.replace(open, name.find('}') + 1 - open, "x1");
-            EXPECT_EQ(find_figure(info.probe(), name), &info) << info.key;
-        }
+    for (const FigureInfo& info : vocabulary) {
+        std::string name(info.name());
+        for (std::size_t open; (open = name.find('{')) != std::string::npos;)
+            name.replace(open, name.find('}') + 1 - open, "x1");
+        EXPECT_EQ(find_figure(info.probe(), name), &info) << info.key;
     }
     EXPECT_EQ(find_figure("time", "al_ns"), nullptr);
     EXPECT_EQ(find_figure("caches", "all_ns"), nullptr);

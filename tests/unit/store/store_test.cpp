@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 
@@ -141,6 +142,30 @@ TEST_F(StoreTest, ReplacesTheSameCellAndKeepsItsRounds) {
     EXPECT_EQ(store.rounds_done("build-1", "cell-1"), std::set<int>{0});
 }
 
+/// Errors of fewer answers do not keep the rest of those of more.
+TEST_F(StoreTest, CompletesFiguresButNotErrors) {
+    Store store(path_);
+    store.put_build(sample_build());
+    store.put_cell("build-1", sample_cell(),
+                   std::vector<FigureRow>{{{"checked", 2000.0, "1"}, "error"},
+                                          {{"p999", 9.0, "1"}, "error"},
+                                          {{"L1", 4.0, "1"}, "caches"},
+                                          {{"x", 5.0, "1"}, "a"}});
+    const auto completed = [&](std::vector<FigureRow> figures) {
+        std::map<std::string, std::optional<double>> values;
+        for (const FigureRow& figure : store.with_stored_figures("build-1", "cell-1", std::move(figures)))
+            values[figure.probe + "." + figure.name] = figure.value;
+        return values;
+    };
+    using Values = std::map<std::string, std::optional<double>>;
+    EXPECT_EQ(completed({{{"checked", 200.0, "1"}, "error"},
+                         {{"p999", std::nullopt, "1"}, "error"},
+                         {{"x", std::nullopt, "1"}, "a"}}),
+              (Values{{"error.checked", 200}, {"error.p999", {}}, {"a.x", 5}, {"caches.L1", 4}}));
+    EXPECT_EQ(completed({{{"x", 6.0, "1"}, "a"}}),
+              (Values{{"error.checked", 2000}, {"error.p999", 9}, {"a.x", 6}, {"caches.L1", 4}}));
+}
+
 TEST_F(StoreTest, KeepsBuildsApart) {
     Store store(path_);
     for (const char* id : {"build-1", "build-2"}) {
@@ -254,17 +279,6 @@ TEST_F(StoreTest, AnEmptyFileBecomesAStoreAndItsVersionIsInThePragma) {
     // sqlite.org/fileformat.html: big-endian, user_version at 60, application_id at 68.
     EXPECT_EQ(header[63], static_cast<char>(store_schema_version));
     EXPECT_EQ(header.substr(68, 4), "EdGe");
-}
-
-TEST_F(StoreTest, TwoStoresOnOneFileSeeEachOther) {
-    Store one(path_);
-    Store two(path_);
-    for (int i = 0; i < 20; ++i) {
-        Store& writer = i % 2 == 0 ? one : two;
-        writer.put_round("build-1", Rounds{{"cell-1", sample_round(i)}});
-    }
-    EXPECT_EQ(one.rounds_done("build-1", "cell-1").size(), 20u);
-    EXPECT_EQ(two.rounds_done("build-1", "cell-1").size(), 20u);
 }
 
 }  // namespace

@@ -250,6 +250,20 @@ TEST(FieldPlaces, OfAnyGroupsAreThoseOfATableBuiltSo) {
     EXPECT_GT(moved, 2);
 }
 
+/// Planes, topology and padding by turns: as many shares as an edge can have.
+TEST(FieldPlaces, OfGroupsThatAlternateAreThoseOfATableBuiltSo) {
+    const Prediction records("aos_f64", "vclip");
+    const nlohmann::json groups = {{"tail_plane", "tail", "head_plane", "head", "left_plane", "left",
+                                    "direction", "right", "right_plane", "length"},
+                                   {"point", "vertex_offset"},
+                                   {"face_plane", "face_offset"},
+                                   {"neighbour", "vertex_ring"},
+                                   {"face_ring"}};
+    const TemporaryFolder folder;
+    const std::string file = folder.write("groups.json", nlohmann::json{{"groups", groups}}.dump());
+    records.expect_of_built(read_groups(file, records.trace().fields()));
+}
+
 TEST(FieldTrace, RefusesLayoutsWhoseFieldsHaveNoPlace) {
     for (const std::string table : {"lean_f64", "linked_f64"}) {
         const SingleCell cell(small(table, "gjk"));

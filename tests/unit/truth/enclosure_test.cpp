@@ -81,16 +81,6 @@ TEST(Enclosure, AllowsForTheErrorOfTheCorners) {
     EXPECT_GT(sure, 100);
 }
 
-TEST(Enclosure, FindsItsOwnTetrahedron) {
-    const Corners p = {Vec3d(1, 1, 1), Vec3d(1, -1, -1), Vec3d(-1, 1, -1), Vec3d(-1, -1, 1)};
-    EXPECT_TRUE(surely_encloses_origin(p, 0));
-    EXPECT_TRUE(surely_encloses_origin({p[1], p[0], p[2], p[3]}, 0));
-    EXPECT_FALSE(surely_encloses_origin(p, 1));
-    Corners aside = p;
-    for (Vec3d& v : aside) v.x() += 2;
-    EXPECT_FALSE(surely_encloses_origin(aside, 0));
-}
-
 Polyhedron box(double x, double y, double z) { return *convex_hull(scene::hard::Maker::box(x, y, z)); }
 
 bool contact(const Polyhedron& a, const Polyhedron& b, const Pose& pose_b) {

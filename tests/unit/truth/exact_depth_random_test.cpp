@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
+#include "brute_depth.hpp"
 #include "edgewise/geometry/hull.hpp"
 #include "edgewise/truth/exact_distance.hpp"
 #include "edgewise/truth/exact_proof.hpp"
@@ -34,43 +34,6 @@ struct DeepPair : PosedPoints {
     [[nodiscard]] ExactDepth ask() const { return *exact_depth(a, pose_a, b, pose_b); }
 };
 
-struct WorldSolid {
-    Points vertices, normals, edges;
-
-    WorldSolid(const Polyhedron& body, const Pose& pose) {
-        for (const Vec3d& v : body.vertices) vertices.push_back(pose.apply(v));
-        for (const auto& e : body.edges) edges.push_back(vertices[e.head] - vertices[e.tail]);
-        for (Index f = 0; f < body.face_count(); ++f) {
-            const auto ring = body.ring_of_face(f);
-            normals.push_back(cross(Vec3d(vertices[body.tail(ring[1])] - vertices[body.tail(ring[0])]),
-                                    Vec3d(vertices[body.tail(ring[2])] - vertices[body.tail(ring[0])])));
-        }
-    }
-
-    [[nodiscard]] double highest(const Vec3d& direction) const {
-        double best = -std::numeric_limits<double>::infinity();
-        for (const Vec3d& v : vertices) best = std::max(best, dot(direction, v));
-        return best;
-    }
-};
-
-/// Over every face normal and every cross product of edges, how far A - B reaches; the least is the depth.
-double least_reach(const WorldSolid& a, const WorldSolid& b) {
-    Points axes = a.normals;
-    axes.insert(axes.end(), b.normals.begin(), b.normals.end());
-    for (const Vec3d& u : a.edges) {
-        for (const Vec3d& v : b.edges) axes.push_back(cross(u, v));
-    }
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vec3d& axis : axes) {
-        const double length = norm(axis);
-        if (length < 1e-9) continue;  // the noise of nearly parallel edges; other axes are near
-        const Vec3d n = axis / length;
-        least = std::min({least, a.highest(n) + b.highest(-n), a.highest(-n) + b.highest(n)});
-    }
-    return least;
-}
-
 TEST(ExactDepthRandom, agrees_with_every_separating_axis) {
     RandomBodies random(22);
     double worst = 0;
@@ -80,7 +43,7 @@ TEST(ExactDepthRandom, agrees_with_every_separating_axis) {
         const Result<Polyhedron> a = convex_hull(pair.a);
         const Result<Polyhedron> b = convex_hull(pair.b);
         if (!a || !b) continue;
-        const double expected = least_reach({*a, pair.pose_a}, {*b, pair.pose_b});
+        const double expected = testing::brute_depth(*a, *b, relative_pose(pair.pose_a, pair.pose_b)).depth;
         const double depth = pair.ask().depth;
         worst = std::max(worst, std::abs(depth - expected));
         ++compared;

@@ -31,7 +31,7 @@ void Tetrahedron::choose_scale(std::span<const Corner> given) {
         const Vec3d axis = (i < 3 ? 1 : -1) * Vec3d(Mat3d::Identity().col(i % 3));
         size = std::max(size, difference_.support(axis, given[0]).size());
     }
-    scale_ = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+    scale_ = size > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(size))) : 1;
 }
 
 bool Tetrahedron::adds_dimension(const Corner& corner) const {

@@ -198,7 +198,7 @@ std::vector<std::string> assumptions(const AdviseArguments& options) {
 
 /// Takes the first point of a scene file.
 void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked& asked) {
-    auto file = scene::find_scene_file(options.scene);
+    auto file = scene::find_scene_file(options.scene, {.as_stored = options.as_stored});
     if (!file)
         throw std::invalid_argument("--scene " + options.scene +
                                     ": a file NAME.json, or one of edgewise list scene_files");
@@ -208,11 +208,17 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
         throw std::invalid_argument("--scene " + options.scene +
                                     ": for motion of an engine name the recording itself");
     asked.shape = scene.shapes.front();
-    if (scene.recording)
+    if (scene.recording) {
+        if (const std::string& note = scene.recording->note; !note.empty())
+            warn(fmt::format("recording {}: {}", scene.recording->name, note));
         asked.recording = std::filesystem::absolute(options.scene);
-    else if (asked.shape.source != "built-in")
+        asked.as_stored = options.as_stored;
+    } else if (asked.shape.source != "built-in") {
         throw std::invalid_argument("--scene " + options.scene +
                                     ": for a mesh write --shape FILE, --bodies and --turn");
+    } else if (options.as_stored) {
+        throw std::invalid_argument("--as-stored is of mesh files: this scene has none, so leave it out");
+    }
     asked.scene = {
         .name = scene.kind, .parameters = scene.points.front().parameters, .recording = scene.recording};
     asked.needs = scene.needs;
@@ -255,10 +261,10 @@ std::string command_text(const AdviseArguments& options, const studies::advise::
         text += " --scene " + options.scene;
     } else {
         text += " --shape " + (asked.mesh.empty() ? asked.shape.name : asked.mesh);
-        if (asked.as_stored) text += " --as-stored";
         text +=
             fmt::format(" --bodies {} --turn {}", bodies_asked(options), options.turn.value_or(usual_turn));
     }
+    if (asked.as_stored) text += " --as-stored";
     if (options.scene.empty() || options.own || options.shared)
         text += asked.own_tables ? " --own-tables" : " --shared-tables";
     text += fmt::format(" --error {} --needs {}", asked.error_limit, to_string(asked.needs));

@@ -178,6 +178,8 @@ void read_tlbs(const Place& file, CacheMachine& machine) {
             read_level(place, place.whole("entries", 1, 1e7), "entries", machine.tlbs.levels));
         machine.tlb_origins.push_back(read_origin(place, false));
     }
+    if (machine.tlbs.levels[0].inclusion == Inclusion::exclusive)
+        tlb.list("levels")[0].refuse("inclusion", "non_inclusive: nothing is above the first level");
 }
 
 using FileJson = nlohmann::ordered_json;

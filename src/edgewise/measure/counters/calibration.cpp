@@ -62,6 +62,11 @@ std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const C
         for (const double times : options.times) {
             if (times * size <= static_cast<double>(options.most_bytes))
                 rows.push_back(calibrate(machine, level, times, options, cpu));
+            else
+                rows.push_back({.level = machine.caches.levels[level].name,
+                                .times = times,
+                                .bytes = static_cast<std::uint64_t>(times * size),
+                                .reason = "more memory than is taken"});
         }
     }
     return rows;
@@ -72,7 +77,7 @@ namespace {
 constexpr std::uint64_t line_bytes = 64, loads = 10000;  ///< of a pass: short enough not to be interrupted
 constexpr int passes = 30;
 constexpr std::uint64_t memory_over_last = 4;  ///< times the last level: rarely answered by it
-constexpr std::uint64_t most_bytes = 1 << 28;
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
 /// Returns ns per load over this many bytes: the shortest pass after one that fills the caches.
 double load_ns(std::uint64_t bytes) {

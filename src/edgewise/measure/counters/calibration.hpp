@@ -19,10 +19,10 @@ struct CalibrationRow {
     std::string level;  ///< the level under test
     double times = 0;   ///< memory divided by the level's size
     std::uint64_t bytes = 0;
-    double modelled = 0;            ///< misses of the level, per load
-    std::optional<double> counted;  ///< misses that the processor counted, per load
-    std::string event, reason;      ///< name of the counted event; why there is no count
-    double ns = 0;                  ///< per load
+    std::optional<double> modelled = {};  ///< misses of the level, per load
+    std::optional<double> counted = {};   ///< misses that the processor counted, per load
+    std::string event = {}, reason = {};  ///< name of the counted event; why there is no count
+    std::optional<double> ns = {};        ///< per load
 };
 
 struct CalibrationOptions {
@@ -31,7 +31,8 @@ struct CalibrationOptions {
     std::uint64_t most_bytes = std::uint64_t{1} << 31;
 };
 
-/// Calibrates the machine's levels in turn; leaves out memory beyond most_bytes. `cpu`: this machine's.
+/// Calibrates the machine's levels in turn; memory beyond most_bytes has a reason alone. `cpu`: this
+/// machine's.
 [[nodiscard]] std::vector<CalibrationRow> calibrate_model(const CacheMachine& machine, const Cpu& cpu,
                                                           const CalibrationOptions& options = {});
 

@@ -77,20 +77,6 @@ Workload two_instances_of(const Polyhedron& shape) {
     return workload;
 }
 
-Result<Workload> make_cold(const SceneSetup& setup) {
-    Workload workload = two_instances_of(setup.shape);
-    Placing placing{setup};
-    while (workload.queries.size() < setup.query_count) {
-        const RandomPair pair(placing);
-        const bool overlapping = placing.rng.uniform() < setup["overlapping"];
-        const double target = placing.rng.uniform() * setup["distance"] * placing.size;
-        const double depth = placing.rng.uniform() * (1 - setup["deepest"]);
-        const double offset = pair.offset_of(overlapping ? 0 : target, placement_tolerance * placing.size);
-        pair.add_to(workload, coarse(overlapping ? offset * (1 - depth) : offset));
-    }
-    return Result<Workload>::success(std::move(workload));
-}
-
 /// Returns one gap for each query, in body sizes.
 std::vector<double> spread_gaps(const SceneSetup& setup, Rng& rng) {
     std::vector<double> gaps;
@@ -118,6 +104,22 @@ bool add_at_gap(Placing& placing, double gap, Workload& workload) {
            (gap < 0 ? reached < tolerance : std::abs(reached - target) < tolerance);
 }
 
+}  // namespace
+
+Result<Workload> make_cold(const SceneSetup& setup) {
+    Workload workload = two_instances_of(setup.shape);
+    Placing placing{setup};
+    while (workload.queries.size() < setup.query_count) {
+        const RandomPair pair(placing);
+        const bool overlapping = placing.rng.uniform() < setup["overlapping"];
+        const double target = placing.rng.uniform() * setup["distance"] * placing.size;
+        const double depth = placing.rng.uniform() * (1 - setup["deepest"]);
+        const double offset = pair.offset_of(overlapping ? 0 : target, placement_tolerance * placing.size);
+        pair.add_to(workload, coarse(overlapping ? offset * (1 - depth) : offset));
+    }
+    return Result<Workload>::success(std::move(workload));
+}
+
 Result<Workload> make_gap(const SceneSetup& setup) {
     Workload workload = two_instances_of(setup.shape);
     Placing placing{setup};
@@ -129,33 +131,6 @@ Result<Workload> make_gap(const SceneSetup& setup) {
             gap));
     }
     return Result<Workload>::success(std::move(workload));
-}
-
-}  // namespace
-
-SceneKind cold_scene() {
-    return {
-        {"cold",
-         "independent random pairs, distance uniform in 0 to 1 body size, some overlapping, every pair cold",
-         false,
-         {{"distance", "body sizes", "largest distance of a separated pair", 1, 0, 100, false},
-          {"overlapping", "1", "share of overlapping pairs", 0.1, 0, 1, false},
-          {"deepest", "1", "centre distance over that at contact, in the deepest overlap", 0.5, 0, 1,
-           false}}},
-        make_cold,
-        true};
-}
-
-SceneKind gap_scene() {
-    return {{"gap",
-             "independent random pairs at signed gaps spread evenly from deep to far, every pair cold",
-             false,
-             {{"gap", "body sizes", "the smallest gap; below 0: how far B went on after it touched", -0.1,
-               -0.5, 1, false},
-              {"span", "body sizes", "from the smallest gap to the largest; 0: all have the same", 1.1, 0, 10,
-               false}}},
-            make_gap,
-            true};
 }
 
 }  // namespace edgewise::scene

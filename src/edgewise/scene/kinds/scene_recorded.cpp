@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/recording.hpp"
@@ -128,11 +127,6 @@ std::string keep_segments(std::size_t length, std::size_t query_count, std::vect
     return text;
 }
 
-Result<Workload> make_nothing(const SceneSetup&) {
-    return Result<Workload>::failure(
-        R"(scene 'recorded' is of a file: name the recording with --scenes, or a scene file with "recording")");
-}
-
 }  // namespace
 
 Result<Workload> recorded_workload(const Recording& recording, const SceneParameters& parameters,
@@ -165,25 +159,9 @@ Result<Workload> recorded_workload(const Recording& recording, const SceneParame
     return Result<Workload>::success(std::move(workload), note);
 }
 
-SceneKind recorded_scene() {
-    return {
-        {std::string(recorded_kind),
-         "motion of an engine, from a recording: shapes, poses and pairs, step after step",
-         true,
-         {{"rate", "Hz", "steps replayed per second of the recording; 0: every step", 60, 0, 1e6, false},
-          {"seconds", "s", "how much is replayed, from the beginning; 0: all", 0, 0, 1e9, false},
-          {"margin", "body sizes",
-           "by which a core's box is enlarged on all sides, where pairs are not the engine's", 0.02, 0, 10,
-           false},
-          {"own_pairs", "1", "1: pairs from sweep and prune, also where the recording has the engine's", 0, 0,
-           1, true},
-          {"link", "1", "only pairs with a body on this link; -1: all pairs", -1, -1, 1e6, true},
-          {"segment", "1", "steps that stay together where the recording has more queries than asked for", 10,
-           2, 1000000, true},
-          {"own_tables", "1", "1: a table for each body; 0: bodies of one shape share one", 0, 0, 1, true},
-          {"recording", "1", "checksum of the recording: computed, not given", 0, 0,
-           std::numeric_limits<std::uint32_t>::max(), true}}},
-        make_nothing};
+Result<Workload> make_recorded(const SceneSetup&) {
+    return Result<Workload>::failure(
+        R"(scene 'recorded' is of a file: name the recording with --scenes, or a scene file with "recording")");
 }
 
 }  // namespace edgewise::scene

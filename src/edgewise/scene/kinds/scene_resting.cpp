@@ -168,6 +168,8 @@ class Resting {
     PairSlots slots_;
 };
 
+}  // namespace
+
 Result<Workload> make_resting(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
@@ -177,25 +179,6 @@ Result<Workload> make_resting(const SceneSetup& setup) {
     while (workload.queries.size() < setup.query_count) scene.step();
     cut(setup.query_count, workload);
     return Result<Workload>::success(std::move(workload));
-}
-
-}  // namespace
-
-SceneKind resting_scene() {
-    return {
-        {"resting",
-         "towers of bodies at three sizes rest on a large cube, most of them nearly still",
-         true,
-         {{"bodies", "1", "bodies, without the cube", 60, 1, 10000, true},
-          {"fastest_turn", "rad", "turn per step of the fastest bodies, about the vertical", 0.1, 0, 1,
-           false},
-          {"halvings", "1", "how often that turn is halved at most, at random for each body", 16, 0, 60,
-           true},
-          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.06, 0.001, 10, false},
-          {"asleep", "1", "share of towers that sleep: their pairs are not asked", 0.2, 0, 0.9, false},
-          {"own_tables", "1", "1: a table for each body; 0: bodies of one shape share one", 0, 0, 1, true}}},
-        make_resting,
-        true};
 }
 
 }  // namespace edgewise::scene

@@ -90,19 +90,9 @@ template <class DistanceAt>
     return s;
 }
 
-struct SceneKind {
-    SceneInfo info;
-    Result<Workload> (*make)(const SceneSetup&);
-    bool places_pairs = false;  ///< by their distance: needs the function
-};
-
-[[nodiscard]] SceneKind static_scene();
-[[nodiscard]] SceneKind cold_scene();
-[[nodiscard]] SceneKind gap_scene();
-[[nodiscard]] SceneKind tumble_scene();
-[[nodiscard]] SceneKind proximity_scene();
-[[nodiscard]] SceneKind pressure_scene();
-[[nodiscard]] SceneKind resting_scene();
-[[nodiscard]] SceneKind recorded_scene();
+/// Each kind of scene (kinds.json) has one.
+using MakeScene = Result<Workload>(const SceneSetup&);
+MakeScene make_static, make_cold, make_gap, make_tumble, make_proximity, make_pressure, make_resting,
+    make_recorded;
 
 }  // namespace edgewise::scene

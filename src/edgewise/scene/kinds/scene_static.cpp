@@ -43,6 +43,8 @@ Placement populate(const std::vector<Polyhedron>& bodies, const Vec3d& centre, s
     return placement;
 }
 
+}  // namespace
+
 Result<Workload> make_static(const SceneSetup& setup) {
     Workload workload;
     for (const double factor : size_classes) workload.bodies.push_back(scaled(setup.shape, factor));
@@ -72,19 +74,6 @@ Result<Workload> make_static(const SceneSetup& setup) {
     }
     cut(setup.query_count, workload);
     return Result<Workload>::success(std::move(workload));
-}
-
-}  // namespace
-
-SceneKind static_scene() {
-    return {
-        {"static",
-         "random populations in a box, sizes varying, pairs from sweep and prune, every pair cold",
-         false,
-         {{"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
-          {"bodies", "1", "bodies in one population", 64, 2, 10000, true},
-          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0, 0, 10, false}}},
-        make_static};
 }
 
 }  // namespace edgewise::scene

@@ -99,6 +99,8 @@ std::size_t queries_wanted(const SceneSetup& setup, const Workload& workload) {
     return steps == 0 ? setup.query_count : std::max(setup.query_count, end);
 }
 
+}  // namespace
+
 Result<Workload> make_tumble(const SceneSetup& setup) {
     Workload workload;
     workload.warm = true;
@@ -128,37 +130,6 @@ Result<Workload> make_tumble(const SceneSetup& setup) {
         std::ranges::stable_sort(workload.queries, {}, &Query::pair);
     }
     return Result<Workload>::success(std::move(workload));
-}
-
-}  // namespace
-
-SceneKind tumble_scene() {
-    return {
-        {"tumble",
-         "bodies drift and turn in a box, near pairs are followed through time with their caches",
-         true,
-         {{"rotation_step", "rad", "turn of every body per step", 0.01, 0, 100, false},
-          {"translation_step", "body sizes", "way of every body per step", 0.001, 0, 10, false},
-          {"bodies", "1", "bodies in one population", 12, 2, 10000, true},
-          {"occupancy", "1", "sum of the bodies' volumes over the volume of the box", 0.1, 0.001, 1, false},
-          {"margin", "body sizes", "by which a body's box is enlarged on all sides", 0.2, 0, 10, false},
-          {"steps", "1", "steps before a new population begins", 100, 1, 1000000, true},
-          {"in_time_order", "1", "1: frame after frame, as an engine asks; 0: pair after pair", 0, 0, 1,
-           true},
-          {"step_in_dimensions", "smallest dimensions",
-           "way of every body per step; 0: as translation_step says", 0, 0, 10, false},
-          {"random_orientation", "1", "1: every body turned at random in every step", 0, 0, 1, true},
-          {"random_velocities", "1", "1: turn and way drawn for each body, up to those given", 0, 0, 1, true},
-          {"own_tables", "1", "1: a table for each body; 0: all share one", 0, 0, 1, true},
-          {"box_of_bodies", "1", "number of bodies that fixes the box; body size adapts; 0: the box adapts",
-           0, 0, 10000, true},
-          {"precession", "1", "turn of every body's axis, about another, over the body's own turn; 0: none",
-           0, 0, 10, false},
-          {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
-           100000, true},
-          {"population", "1", "which of the populations that a seed draws; other numbers, other bodies", 0, 0,
-           1000000, true}}},
-        make_tumble};
 }
 
 }  // namespace edgewise::scene

@@ -93,21 +93,6 @@ std::vector<MovingBody> turning_bodies(const SceneSetup& setup, double spacing, 
     return bodies;
 }
 
-Result<Workload> make_pressure(const SceneSetup& setup) {
-    const Vec3d middle = vertex_mean(setup.shape.vertices);
-    const double spacing = coarse((2 + setup["gap"]) * reach(setup.shape.vertices, middle));
-    Rng rng(setup.seed);
-    TurningPairs pairs{turning_bodies(setup, spacing, rng), 1, in_order(setup.count("bodies") - 1)};
-    rng.shuffle(pairs.order);
-    if (setup.count("new_order") == 1) pairs.reshuffles = &rng;
-    const std::size_t wanted = std::max(setup.query_count, setup.count("least_steps") * pairs.order.size());
-    Workload workload = ask_steps(setup, std::move(pairs), wanted);
-    workload.table_each = setup.count("own_tables") == 1;
-    return Result<Workload>::success(std::move(workload));
-}
-
-constexpr double steps_a_second = 60;
-
 /// Two bodies of a pair, the second placed a gap from the first along a random direction.
 void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vector<MovingBody>& bodies) {
     const double size = extent(setup.shape.vertices), radius = reach(setup.shape.vertices, middle);
@@ -130,42 +115,27 @@ void add_pair(const SceneSetup& setup, const Vec3d& middle, Rng& rng, std::vecto
     bodies.push_back(b);
 }
 
+}  // namespace
+
+Result<Workload> make_pressure(const SceneSetup& setup) {
+    const Vec3d middle = vertex_mean(setup.shape.vertices);
+    const double spacing = coarse((2 + setup["gap"]) * reach(setup.shape.vertices, middle));
+    Rng rng(setup.seed);
+    TurningPairs pairs{turning_bodies(setup, spacing, rng), 1, in_order(setup.count("bodies") - 1)};
+    rng.shuffle(pairs.order);
+    if (setup.count("new_order") == 1) pairs.reshuffles = &rng;
+    const std::size_t wanted = std::max(setup.query_count, setup.count("least_steps") * pairs.order.size());
+    Workload workload = ask_steps(setup, std::move(pairs), wanted);
+    workload.table_each = setup.count("own_tables") == 1;
+    return Result<Workload>::success(std::move(workload));
+}
+
 Result<Workload> make_proximity(const SceneSetup& setup) {
     const Vec3d middle = vertex_mean(setup.shape.vertices);
     Rng rng(setup.seed);
     TurningPairs pairs{{}, 2, in_order(setup.count("pairs"))};
     for (std::size_t k = 0; k < pairs.order.size(); ++k) add_pair(setup, middle, rng, pairs.bodies);
     return Result<Workload>::success(ask_steps(setup, std::move(pairs), setup.query_count));
-}
-
-}  // namespace
-
-SceneKind pressure_scene() {
-    return {
-        {"pressure",
-         "many bodies, a table per body, every body against the next in turn: more tables than caches hold",
-         true,
-         {{"bodies", "1", "bodies, and tables", 600, 2, 100000, true},
-          {"rotation_step", "rad", "turn of every body per step", 0.1, 0, 100, false},
-          {"gap", "reaches", "between the spheres around neighbours", 0.1, 0.001, 100, false},
-          {"new_order", "1", "1: pairs in another order each step; 0: always in the same", 0, 0, 1, true},
-          {"least_steps", "1", "steps asked at least, with more queries than asked for if need be", 0, 0,
-           100000, true},
-          {"own_tables", "1", "1: a table per body, as in the paper; 0: all bodies share one", 1, 0, 1,
-           true}}},
-        make_pressure};
-}
-
-SceneKind proximity_scene() {
-    return {{"proximity",
-             "pairs a small gap apart, turning slowly in place: contacts that last",
-             true,
-             {{"pairs", "1", "pairs of bodies", 30, 1, 100000, true},
-              {"gap", "body sizes", "between the bodies of a pair at the start", 0.001, 0, 10, false},
-              {"rotation_step", "rad", "turn of every body per step: 1/4 rad/s at 60 steps per second",
-               0.25 / steps_a_second, 0, 100, false}}},
-            make_proximity,
-            true};
 }
 
 }  // namespace edgewise::scene

@@ -28,7 +28,7 @@ namespace edgewise::studies::advise {
 struct CaseAsked {
     scene::NamedShape shape;
     std::string mesh;          ///< the file that the shape is of; empty: built-in
-    bool as_stored = false;    ///< of the mesh (scene::MeshReading)
+    bool as_stored = false;    ///< of the mesh, or those of the recording (scene::MeshReading)
     sweep::SceneChoice scene;  ///< a kind of scene with its parameters
     std::string recording;     ///< the file that the scene replays; `shape` is then its first core
     bool own_tables = false;   ///< a table for each body; else one for all

@@ -12,6 +12,7 @@
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/input/shown_text.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/truth/exact_body.hpp"
@@ -244,7 +245,6 @@ std::vector<std::pair<Pose, Pose>> first_poses(Poses maker, std::uint64_t count)
     return poses;
 }
 
-constexpr const char* random_family = "random";
 constexpr const char* real_family = "real_hulls_at_gaps";  // needs meshes, which others may not have
 
 /// Returns the shape itself in every second block; else the shape stretched by factors of 24 bits, so that
@@ -314,7 +314,7 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
         return;
     }
     for (const std::string& shape : shapes) {
-        const std::string name = std::string(random_family) + " " + shape;
+        const std::string name = std::string(random_family) + " " + input::valid_utf8(shape);
         auto read = scene::named_shape(shape, reading);
         if (!read.warning.empty()) warning_ += (warning_.empty() ? "" : "; ") + read.warning;
         if (!shapes_.emplace(name, std::move(read).or_throw().body).second)

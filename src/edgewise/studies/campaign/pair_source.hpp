@@ -25,6 +25,8 @@
 
 namespace edgewise::studies::campaign {
 
+inline constexpr const char* random_family = "random";  ///< of named bodies; others have their own
+
 inline constexpr std::uint64_t pairs_per_block = 4096;
 
 /// Position of a pair in the campaign.

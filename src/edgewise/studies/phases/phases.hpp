@@ -20,6 +20,11 @@ namespace edgewise::studies {
 /// Phase of code that no rule knows: our source files that are not in the table, or without line tables.
 inline constexpr std::string_view other_phase = "other";
 
+/// The text of phases.json: rules, of which the first that fits counts. `place`: a file of src/edgewise, or
+/// all of a folder; `function`: its plain name (`operator`: a lambda's), else any. No `phase`: that of
+/// whoever the code is inlined into; no `runs`: likewise.
+extern const char* const phase_texts;
+
 /// How often code runs.
 enum class Recurrence { once, step };  ///< per query, or per V-Clip state or GJK iteration
 

@@ -278,7 +278,9 @@ store::StoredCell row_for(const StabilityPlan& plan, const scene::HardFamily& fa
                           const Subject& subject) {
     store::StoredCell row;
     row.run = row.scene = stability_run;
-    row.scene_parameters = bench::parameters_json({{"count", static_cast<double>(plan.count)}});
+    scene::SceneParameters asked = {{"count", static_cast<double>(plan.count)}};
+    if (plan.proofs != plan.count) asked["proofs"] = static_cast<double>(plan.proofs);
+    row.scene_parameters = bench::parameters_json(asked);
     row.shape = family.name;
     row.shape_source = "generated";
     row.algorithm = subject.algorithm;
@@ -286,7 +288,11 @@ store::StoredCell row_for(const StabilityPlan& plan, const scene::HardFamily& fa
     bench::describe_cell(row, *subject.type, Polyhedron{});
     row.seed = plan.seed;
     row.queries = plan.count;
-    bench::name_cell(row, Polyhedron{});
+    Polyhedron real;  // rows of other hulls are others
+    if (family.name == real_family)
+        for (const Polyhedron& body : plan.real)
+            real.vertices.insert(real.vertices.end(), body.vertices.begin(), body.vertices.end());
+    bench::name_cell(row, real);
     return row;
 }
 

@@ -166,9 +166,9 @@ struct StabilityPlan {
 /// Returns the number of rows of a plan.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
-/// Runs the plan and writes its rows into the store, with the seconds of each family. Returns as
-/// run_stability.
-[[nodiscard]] bool store_stability(const StabilityPlan& plan, store::Store& store,
+/// Runs the plan and writes its rows into the store, with the seconds of each family; rows that this build
+/// wrote there before are not measured again. Returns as run_stability.
+[[nodiscard]] bool store_stability(StabilityPlan plan, store::Store& store,
                                    const std::function<void(const store::StoredCell&)>& on_row,
                                    const std::atomic<bool>& stop);
 

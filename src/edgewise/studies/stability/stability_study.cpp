@@ -41,25 +41,22 @@ StabilityPlan stability_plan(const sweep::SweepWork& work) {
 
 bool run_stability_study(const sweep::SweepWork& work, store::Store& store, const sweep::OnStudyRow& on_row,
                          const std::atomic<bool>& stop) {
-    StabilityPlan plan = stability_plan(work);
-    plan.stored = [&store, build = bench::this_build().id](const std::string& hash) {
-        return store.find_cell(build, hash);
-    };
     const auto notify = [&](const store::StoredCell& row) {
         on_row(row.shape + " " + row.table, row.status);
     };
-    return store_stability(plan, store, notify, stop);
+    return store_stability(stability_plan(work), store, notify, stop);
 }
 
 }  // namespace
 
-bool store_stability(const StabilityPlan& plan, store::Store& store,
+bool store_stability(StabilityPlan plan, store::Store& store,
                      const std::function<void(const store::StoredCell&)>& on_row,
                      const std::atomic<bool>& stop) {
     const store::BuildRow build = bench::this_build();
     store.put_build(build);
     store.set_meta("build", build.id);
     store.set_meta("seed", std::to_string(plan.seed));
+    plan.stored = [&](const std::string& hash) { return store.find_cell(build.id, hash); };
     std::map<std::string, double> seconds;
     measure::Stopwatch watch;
     const auto put = [&](const store::StoredCell& row) {

@@ -20,7 +20,7 @@ measure::Figure at_quantile(const store::FigureName& name, const std::vector<dou
 }  // namespace
 
 StabilityTally::StabilityTally() {
-    for (const store::FigureInfo& info : store::vocabulary::answers) {
+    for (const store::FigureInfo& info : store::vocabulary) {
         const bool counts = info.unit == "queries" || info.unit == "escapes";
         if (info.probe() == "stability" && counts && info.key.find('{') == info.key.npos) counts_[&info] = 0;
     }

@@ -117,6 +117,7 @@ class ScalingRun {
             for (const TimedPass& pass : alone) check_sum(pass, threads, "have their own");
             book(together, alone, times_[i]);
         }
+        ++found_.rounds;
     }
 
     [[nodiscard]] Scaling take() {

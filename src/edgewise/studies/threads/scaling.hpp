@@ -80,6 +80,7 @@ struct Scaling {
     std::string table, algorithm;
     std::size_t queries = 0, frames = 0;  ///< of a pass
     double table_bytes = 0;               ///< of all tables of one set
+    int rounds = 0;                       ///< that ended
     std::size_t checked = 0;              ///< answers held against exact ones
     std::size_t passes = 0;               ///< passes with a sum that was compared with that of single queries
     std::string wrong;                    ///< empty: all are right

@@ -72,7 +72,7 @@ TEST(Decision, TakesNothingThatWinsASceneAndIsSlowerOnAverage) {
     }
 }
 
-/// It may win elsewhere: a scene whose error it exceeds counts for its mean and its worst error.
+/// A layout that wins one scene may be over the limit in another, which counts for its mean and its error.
 TEST(Decision, TakesNothingThatIsOverTheLimitInAScene) {
     ReportData data;
     TimedCell lean = decided_lean;
@@ -258,7 +258,7 @@ TEST(Statements, AreOfTheChosenPartOrSayWhatMeasuresIt) {
     const auto statements = nlohmann::json::parse(statements_data(data));
     EXPECT_EQ(
         statements["sphere386 own"]["caches"],
-        "With a table each, V-Clip on lean_f32 becomes faster than the paper's layout between numbers measured: "
+        "With a table each, V-Clip on lean_f32 for sphere386 becomes faster than the paper's layout between numbers measured: "
         "1.30 [1.20, 1.40] of its time with 600 bodies, 0.72 [0.70, 0.74] of its time with 9000 bodies.");
     EXPECT_EQ(statements["sphere38 own"]["caches"],
               "With a table each, the paper's layout is the one to take.");

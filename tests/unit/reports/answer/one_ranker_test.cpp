@@ -26,8 +26,8 @@
 namespace edgewise::reports {
 namespace {
 
-/// By scene label; "" where nothing is within the error, else each cell with its interval, the winner first:
-/// "V-Clip on aos_f64 1.00 [0.98, 1.02]; ...".
+/// By scene label; "" where nothing is known to be within the error, else each cell with its interval, the
+/// winner first: "V-Clip on aos_f64 1.00 [0.98, 1.02]; ...".
 using TieSets = std::map<std::string, std::string>;
 
 const std::string question_scenes[] = {R"({"bodies":100,"rotation_step":0.001})",
@@ -148,7 +148,7 @@ TieSets expected(const ReportData& data, const std::string& shape, double limit)
     return sets;
 }
 
-/// Every match of label and tie set; "nothing is within the error" is the empty set.
+/// Every match of label and tie set; "nothing is known to be within the error" is the empty set.
 TieSets parsed(const std::string& text, const std::regex& pattern) {
     TieSets sets;
     for (std::sregex_iterator found(text.begin(), text.end(), pattern), end; found != end; ++found) {
@@ -168,8 +168,9 @@ TieSets parsed(const std::string& text, const std::regex& pattern) {
 TieSets on_first_screen(std::string html) {
     html = std::regex_replace(html, std::regex("<details class=\"ties\"><summary>([0-9]+ tie)</summary>"),
                               "$1: ");
-    return parsed(html, std::regex("<th scope=\"row\">(.*?)<br>.*?<td><b>(?:nothing is within the error</b>"
-                                   "<br><small>|[^<]*</b>(?:<br><small>)?)([^<]*)<"));
+    return parsed(
+        html, std::regex("<th scope=\"row\">(.*?)<br>.*?<td><b>(?:nothing is known to be within the error</b>"
+                         "<br><small>|[^<]*</b>(?:<br><small>)?)([^<]*)<"));
 }
 
 TieSets on_map(const std::string& html, const std::string& shape) {
@@ -181,7 +182,7 @@ TieSets on_map(const std::string& html, const std::string& shape) {
 
 TieSets in_markdown(std::string text) {
     std::erase(text, '\\');  // of escaped brackets
-    return parsed(text, std::regex("\n\\| ([^|]*) \\| (?:each|shared) \\| [^|]* \\| ([^|]*) \\|"));
+    return parsed(text, std::regex("\n\\| ([^|]*) \\| [^|]* \\| (?:each|shared) \\| [^|]* \\| ([^|]*) \\|"));
 }
 
 TieSets on_terminal(const std::string& text, const std::string& shape) {

@@ -153,6 +153,9 @@ TEST(Comparison, AsAChapter) {
     EXPECT_EQ(worse.caption, "Worse");
     expect_texts(worse.rows[0], {{0, "bytes.total_bytes_per_edge"}, {3, "1.500"}});
     EXPECT_EQ(worse.rows[1][0].text, "time.all_ratio");
+    replace(after.cells[1], "lines.lines_per_query", 0);
+    const Chapter none = compare_chapter(compare(data(), after, slack), slack, "old.db");
+    expect_texts(none.blocks[1].grids[0].rows[0], {{0, "lines.lines_per_query"}, {3, "0.000"}});
     EXPECT_EQ(chapter.blocks[1].grids[0].rows.size(), 1U);
     EXPECT_EQ(chapter.blocks[2].grids[0].rows.size(), 7U);
     EXPECT_EQ(chapter.sentence,
