@@ -37,19 +37,23 @@ string(REPLACE "Repeats::yes" "Repeats::exactly" rows "${rows}")
 string(REPLACE "Repeats::no" "Repeats::timed" rows "${rows}")
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/registry/edgewise/store/figure_rows.inc CONTENT "${rows}" @ONLY)
 
-# edgewise_json_text(FILE HEADER NAME): registry/NAME.cpp defines edgewise::NAME, which HEADER declares: the text of the file.
-function(edgewise_json_text FILE HEADER NAME)
+# edgewise_text(FILE HEADER NAME): registry/NAME.cpp defines edgewise::NAME, which HEADER declares: the text of the file.
+function(edgewise_text FILE HEADER NAME)
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${FILE})
     file(READ ${PROJECT_SOURCE_DIR}/${FILE} TEXT)
     string(REGEX REPLACE ".*::" "" unit ${NAME})
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/json_text.cpp.in ${PROJECT_BINARY_DIR}/registry/${unit}.cpp @ONLY)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/text.cpp.in ${PROJECT_BINARY_DIR}/registry/${unit}.cpp @ONLY)
 endfunction()
-edgewise_json_text(src/edgewise/measure/counters/events.json measure/counters/events.hpp measure::event_texts)
-edgewise_json_text(src/edgewise/scene/kinds/kinds.json scene/scenes.hpp scene::kind_texts)
-edgewise_json_text(src/edgewise/scene/kinds/kinds.json reports/reader.hpp reports::scene_kind_texts)
-edgewise_json_text(src/edgewise/cli/usage/examples.json cli/usage/usage.hpp cli::example_texts)
-edgewise_json_text(src/edgewise/studies/phases/phases.json studies/phases/phases.hpp studies::phase_texts)
+edgewise_text(src/edgewise/measure/counters/events.json measure/counters/events.hpp measure::event_texts)
+edgewise_text(src/edgewise/scene/kinds/kinds.json scene/scenes.hpp scene::kind_texts)
+edgewise_text(src/edgewise/scene/kinds/kinds.json reports/reader.hpp reports::scene_kind_texts)
+edgewise_text(src/edgewise/cli/usage/examples.json cli/usage/usage.hpp cli::example_texts)
+edgewise_text(src/edgewise/studies/phases/phases.json studies/phases/phases.hpp studies::phase_texts)
 
+set(shells bash zsh fish)
+foreach(shell IN LISTS shells)
+    edgewise_text(src/edgewise/cli/usage/completion.${shell} cli/usage/usage.hpp cli::${shell}_script)
+endforeach()
 include(jemalloc)
 include(libpfm)
 
@@ -102,6 +106,10 @@ target_link_libraries(edgewise_core
 if(assimp_FOUND)
     target_link_libraries(edgewise_core PRIVATE assimp::assimp)
 endif()
+foreach(library fcl bullet)
+    edgewise_text(src/edgewise/scene/${library}_test.txt scene/case_text.hpp scene::${library}_test_text)
+    target_sources(edgewise_core PRIVATE ${PROJECT_BINARY_DIR}/registry/${library}_test_text.cpp)
+endforeach()
 edgewise_sources(counters src/edgewise/measure/counters)  # libpfm has the kernel's types again
 # Sources that mutants (tests/mutation), and tests with probes and studies of their own, replace stay separate; and those that
 # ask V-Clip or GJK, so that an edit of an algorithm compiles nothing else here.
@@ -177,7 +185,8 @@ else()
 endif()
 
 edgewise_sources(cli_sources src/edgewise/cli)
-add_library(edgewise_cli OBJECT ${cli_sources} ${PROJECT_BINARY_DIR}/registry/example_texts.cpp ${revision})
+list(TRANSFORM shells REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1_script.cpp" OUTPUT_VARIABLE scripts)
+add_library(edgewise_cli OBJECT ${cli_sources} ${scripts} ${PROJECT_BINARY_DIR}/registry/example_texts.cpp ${revision})
 add_dependencies(edgewise_cli edgewise_revision)
 target_link_libraries(edgewise_cli PUBLIC edgewise_core edgewise_reports CLI11::CLI11 PRIVATE edgewise_flags)
 # Templates of the parser of options need not be fast, and more optimisation takes a third more time to compile. But not -O0: of an

@@ -8,11 +8,11 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "edgewise/reports/body/body_walk.hpp"
 #include "edgewise/reports/reader.hpp"
 
 namespace edgewise::reports {
@@ -35,6 +35,36 @@ struct BodyHeat {
     /// Says for each kind of feature how many were read at all, and how often the hottest.
     [[nodiscard]] std::string sentence() const;
 };
+
+// One query's walk, step by step, as the sweep keeps it in the store: on both bodies the features that V-Clip
+// visits, or the corners of GJK's simplex; next to them the cache lines that each step reads, for every table
+// type that took these steps. The script of the page shows one step of these drawings at a time.
+
+/// One path for what stays, and one for each step, with a caption.
+struct WalkDrawing {
+    std::string name;  ///< "Body A", or a table type
+    std::string box;   ///< its view box
+    std::string ground;
+    std::vector<std::string> steps = {}, said = {};
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WalkDrawing, name, box, ground, steps, said)
+
+struct BodyWalk {
+    std::string title;                ///< "V-Clip, tumble (rotation_step 1), sphere386, query 7"
+    std::vector<std::string> said;    ///< what each step is
+    std::vector<WalkDrawing> bodies;  ///< A, then B
+    std::vector<WalkDrawing> tables;  ///< the baseline's first, the one with the fewest lines last
+    std::size_t lines_of_last = 0;
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyWalk, title, said, bodies, tables)
+
+/// Adds the walk of a cell, `json` as the store has it: to the walk with the same steps, or as a new one.
+/// Leaves out what does not fit the body.
+void add_walk(const nlohmann::json& json, const ReportCell& cell, const HeatBody& body,
+              std::vector<BodyWalk>& walks);
+
+/// Returns the last step as a figure with its caption; `style`: "trail" for a body, "lines" for a table.
+[[nodiscard]] std::string walk_figure(const WalkDrawing& drawing, const char* style);
 
 struct HeatOnBodies {
     std::map<std::string, HeatBody> bodies;  ///< by shape

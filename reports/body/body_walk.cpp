@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "edgewise/reports/body/body_walk.hpp"
+#include "edgewise/reports/body/body_heat.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <set>
 
 #include "edgewise/reports/answer/ranking.hpp"
-#include "edgewise/reports/body/body_heat.hpp"
 #include "edgewise/reports/tables/formatting.hpp"
 
 namespace edgewise::reports {

@@ -41,11 +41,18 @@ struct Distance {
 };
 
 /// Returns the answer with witness points and normal in world coordinates.
-[[nodiscard]] inline Distance to_world(Distance answer, const Pose& pose_a) {
-    answer.point_a = pose_a.apply(answer.point_a);
-    answer.point_b = pose_a.apply(answer.point_b);
-    answer.normal = multiply(pose_a.rotation, answer.normal);
-    return answer;
+[[nodiscard]] inline Distance to_world(const Distance& answer, const Pose& pose_a) {
+    // Field by field: a copy of the whole would wait for the query's last stores.
+    return {.status = answer.status,
+            .distance = answer.distance,
+            .point_a = pose_a.apply(answer.point_a),
+            .point_b = pose_a.apply(answer.point_b),
+            .normal = multiply(pose_a.rotation, answer.normal),
+            .steps = answer.steps,
+            .cycles = answer.cycles,
+            .fallbacks = answer.fallbacks,
+            .refinements = answer.refinements,
+            .escapes = answer.escapes};
 }
 
 /// Makes an answer from two witness points that are known to be closest.

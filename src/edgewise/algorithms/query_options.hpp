@@ -5,6 +5,7 @@
 // 3.4) are of the same two kinds.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -57,16 +58,22 @@ struct QueryOptions {
     /// GJK's solver; V-Clip has none, and where it asks GJK, GJK solves by the default.
     SubDistanceSolver sub_distance = SubDistanceSolver::cofactors;
 
+    /// Returns true if distances beyond some value do not matter.
+    [[nodiscard]] bool has_cutoff() const { return cutoff < std::numeric_limits<double>::infinity(); }
+    /// Distances beyond this do not matter.
+    template <class Scalar>
+    [[nodiscard]] Scalar cutoff_in() const {
+        return static_cast<Scalar>(std::max(cutoff, contact_tolerance));
+    }
     /// Returns true if no distance matters: only whether the bodies are separated.
     [[nodiscard]] bool is_for_verdict() const { return cutoff <= contact_tolerance; }
 };
 
-/// Applies the options to an answer. A distance within the tolerance stays as found: for GJK, which stops as
-/// soon as it knows that much, an upper bound.
-[[nodiscard]] inline Distance within(const QueryOptions& options, Distance answer) {
+/// Applies the contact tolerance to an answer. A distance within the tolerance stays as found: for GJK, which
+/// stops as soon as it knows that much, an upper bound.
+inline void apply_tolerance(const QueryOptions& options, Distance& answer) {
     if (answer.status == Status::separated && answer.distance <= options.contact_tolerance)
         answer.status = Status::touching;
-    return answer;
 }
 
 }  // namespace edgewise

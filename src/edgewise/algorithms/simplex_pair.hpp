@@ -2,8 +2,8 @@
 //
 // State of GJK that a pair keeps from one query to the next: the vertices of its last simplex and the
 // distance of the bodies, in 32 bytes where handles are whole numbers. Each of the four words holds two
-// handles of 26 bits and a quarter of the note. The note gives the number of vertices, a mark of the tables,
-// and the distance.
+// handles of 24 bits and 16 bits of a note: the number of vertices with a mark of the tables in the first
+// two, the distance in the third.
 #pragma once
 
 #include <array>
@@ -27,30 +27,30 @@ struct VertexPair {
     [[nodiscard]] bool operator==(const VertexPair&) const = default;
 };
 
-/// Four pairs of vertices and a note of 48 bits, whatever the handles.
+/// Four pairs of vertices and two notes, whatever the handles.
 template <SupportTable TableA, SupportTable TableB>
 class PlainCorners {
   public:
-    [[nodiscard]] std::uint64_t note() const { return note_; }
+    [[nodiscard]] std::uint32_t note() const { return note_; }
+    [[nodiscard]] std::uint16_t short_note() const { return short_note_; }
     [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>&) { return true; }
-    void set_note(std::uint64_t note) { note_ = note; }
+    void set_note(std::uint32_t note) { note_ = note; }
+    void set_short_note(std::uint16_t note) { short_note_ = note; }
     void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) { corners_[i] = corner; }
 
   private:
     std::array<VertexPair<TableA, TableB>, 4> corners_{};
-    std::uint64_t note_ = 0;
+    std::uint32_t note_ = 0;
+    std::uint16_t short_note_ = 0;
 };
 
-/// Four pairs of vertices and a note of 48 bits, for handles that are whole numbers below 2^26.
+/// Four pairs of vertices and two notes, for handles that are whole numbers below 2^24.
 template <SupportTable TableA, SupportTable TableB>
 class PackedCorners {
   public:
-    [[nodiscard]] std::uint64_t note() const {
-        std::uint64_t note = 0;
-        for (std::uint32_t i = 0; i < 4; ++i) note |= words_[i] >> note_at << quarter_bits * i;
-        return note;
-    }
+    [[nodiscard]] std::uint32_t note() const { return part(0) | std::uint32_t{part(1)} << 16; }
+    [[nodiscard]] std::uint16_t short_note() const { return part(2); }
     [[nodiscard]] VertexPair<TableA, TableB> corner(std::uint32_t i) const {
         return {static_cast<typename TableA::Vertex>(words_[i] & handle),
                 static_cast<typename TableB::Vertex>(words_[i] >> handle_bits & handle)};
@@ -58,19 +58,27 @@ class PackedCorners {
     [[nodiscard]] static bool fits(const VertexPair<TableA, TableB>& corner) {
         return corner.a <= handle && corner.b <= handle;
     }
-    void set_note(std::uint64_t note) {
-        for (std::uint32_t i = 0; i < 4; ++i)
-            words_[i] = (words_[i] & both_handles) | note >> quarter_bits * i << note_at;
+    void set_note(std::uint32_t note) {
+        set_part(0, static_cast<std::uint16_t>(note));
+        set_part(1, static_cast<std::uint16_t>(note >> 16));
     }
+    void set_short_note(std::uint16_t note) { set_part(2, note); }
     void set(std::uint32_t i, const VertexPair<TableA, TableB>& corner) {
         assert(fits(corner));
         words_[i] = (words_[i] & ~both_handles) | corner.a | std::uint64_t{corner.b} << handle_bits;
     }
 
   private:
-    static constexpr int handle_bits = 26, note_at = 2 * handle_bits, quarter_bits = 64 - note_at;
+    static constexpr int handle_bits = 24, note_at = 2 * handle_bits;
     static constexpr std::uint64_t handle = (std::uint64_t{1} << handle_bits) - 1,
                                    both_handles = (std::uint64_t{1} << note_at) - 1;
+
+    [[nodiscard]] std::uint16_t part(std::uint32_t i) const {
+        return static_cast<std::uint16_t>(words_[i] >> note_at);
+    }
+    void set_part(std::uint32_t i, std::uint16_t part) {
+        words_[i] = (words_[i] & both_handles) | std::uint64_t{part} << note_at;
+    }
 
     alignas(32) std::array<std::uint64_t, 4> words_{};  ///< within one cache line
 };
@@ -96,16 +104,14 @@ class SimplexPair {
     using Corner = VertexPair<TableA, TableB>;
 
     SimplexPair() = default;
-    SimplexPair(const TableA& a, const TableB& b) {
-        corners_.set_note(note_of(a, b, 0, std::numeric_limits<float>::infinity()));
-    }
+    SimplexPair(const TableA& a, const TableB& b) { note(a, b, 0, std::numeric_limits<float>::infinity()); }
 
     /// Number of vertices held; 0: cold.
-    [[nodiscard]] std::uint32_t count() const { return low_word() & most; }
+    [[nodiscard]] std::uint32_t count() const { return corners_.note() & most; }
     /// Distance of the bodies when these vertices held their closest points: 0 in contact, infinite where it
     /// is not known; up to a 128th too small.
     [[nodiscard]] float distance() const {
-        return std::bit_cast<float>(static_cast<std::uint32_t>(corners_.note() >> 32 << 16));
+        return std::bit_cast<float>(std::uint32_t{corners_.short_note()} << 16);
     }
     [[nodiscard]] Corner corner(std::uint32_t i) const {
         assert(i < count());
@@ -126,12 +132,11 @@ class SimplexPair {
 
     /// Returns false after a rebuild: the handles may lead anywhere, and no query follows them.
     [[nodiscard]] bool belongs_to(const TableA& a, const TableB& b) const {
-        return (low_word() & ~most) == tables_of(a, b);
+        return (corners_.note() & ~most) == tables_of(a, b);
     }
     /// Returns true if the next query of both tables starts from the held vertices.
     [[nodiscard]] bool starts_warm(const TableA& a, const TableB& b) const {
-        const std::uint32_t word = low_word();
-        return (word & most) != 0 && (word & ~most) == tables_of(a, b);
+        return count() != 0 && belongs_to(a, b);
     }
 
     /// Adds one pair of vertices, up to four.
@@ -154,21 +159,18 @@ class SimplexPair {
             all_fit = all_fit && Corners::fits(corner);
             if (all_fit) corners_.set(i, corner);
         }
-        const std::uint32_t count = all_fit ? static_cast<std::uint32_t>(simplex.count) : 0;
-        corners_.set_note(note_of(a, b, count, static_cast<float>(distance)));
+        note(a, b, all_fit ? static_cast<std::uint32_t>(simplex.count) : 0, static_cast<float>(distance));
     }
 
     /// Changes the distance alone.
-    void set_distance(double distance) {
-        corners_.set_note(half_of(static_cast<float>(distance)) | low_word());
-    }
+    void set_distance(double distance) { corners_.set_short_note(half_of(static_cast<float>(distance))); }
 
     /// Compares the vertices, the tables and the distance.
     [[nodiscard]] bool operator==(const SimplexPair& other) const {
-        if (corners_.note() != other.corners_.note()) return false;
-        for (std::uint32_t i = 0; i < count(); ++i)
-            if (corner(i) != other.corner(i)) return false;
-        return true;
+        bool equal =
+            corners_.note() == other.corners_.note() && corners_.short_note() == other.corners_.short_note();
+        for (std::uint32_t i = 0; equal && i < count(); ++i) equal = corner(i) == other.corner(i);
+        return equal;
     }
 
   private:
@@ -181,14 +183,13 @@ class SimplexPair {
     }
     /// The distance in a note: the upper half of its 32 bits, with eight binary digits, enough to detect
     /// large motion.
-    [[nodiscard]] static std::uint64_t half_of(float distance) {
-        return std::uint64_t{std::bit_cast<std::uint32_t>(distance) >> 16} << 32;
+    [[nodiscard]] static std::uint16_t half_of(float distance) {
+        return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(distance) >> 16);
     }
-    [[nodiscard]] static std::uint64_t note_of(const TableA& a, const TableB& b, std::uint32_t count,
-                                               float distance) {
-        return half_of(distance) | tables_of(a, b) | count;
+    void note(const TableA& a, const TableB& b, std::uint32_t count, float distance) {
+        corners_.set_note(tables_of(a, b) | count);
+        corners_.set_short_note(half_of(distance));
     }
-    [[nodiscard]] std::uint32_t low_word() const { return static_cast<std::uint32_t>(corners_.note()); }
 
     Corners corners_;
 };

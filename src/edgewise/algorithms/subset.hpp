@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Subsets of a simplex of at most four points, and the point of one of them that is closest to the origin.
+// Subsets of a simplex of at most four points, the point of one of them that is closest to the origin, and
+// the points of both bodies that it stands for.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cassert>
 #include <cstdint>
 
+#include "edgewise/algorithms/distance.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/table/small_array.hpp"
@@ -106,16 +108,40 @@ struct ClosestOfSimplex {
     }
 };
 
-/// Returns true if the weights' point of a simplex, on_a(i) - on_b(i) of `count` points, is as near to the
-/// origin as the closest point, but for the rounding of coordinates up to `size`. The foot on the plane of a
-/// triangle may lie outside the triangle.
-template <class Points, class Scalar>
-[[nodiscard]] bool reaches_closest(const Points& simplex, const ClosestOfSimplex<Scalar>& closest,
-                                   Scalar size) {
-    Vec3<Scalar> weighted = Vec3<Scalar>::Zero();
-    for (int i = 0; i < simplex.count; ++i)
-        weighted += closest.weight[i] * Vec3<Scalar>(simplex.on_a(i) - simplex.on_b(i));
-    return norm(weighted) <= norm(closest.point) + Tolerance<Scalar>::support_noise * size;
-}
+/// Weighted sums of a simplex's points on both bodies, in A's frame.
+template <class Scalar>
+struct WitnessPoints {
+    Vec3<Scalar> on_a = Vec3<Scalar>::Zero(), on_b = Vec3<Scalar>::Zero();
+
+    WitnessPoints() = default;
+    /// Sums on_a(i) and on_b(i) of `count` points.
+    template <class Points>
+    WitnessPoints(const Points& simplex, const ClosestOfSimplex<Scalar>& closest) {
+        for (int i = 0; i < simplex.count; ++i) {
+            on_a += closest.weight[i] * simplex.on_a(i);
+            on_b += closest.weight[i] * simplex.on_b(i);
+        }
+    }
+
+    /// Returns true if they are as near to each other as the closest point is to the origin, except for
+    /// the rounding of coordinates up to `size`. The foot on the plane of a triangle may lie outside the
+    /// triangle.
+    [[nodiscard]] bool are_as_near_as(Scalar distance, Scalar size) const {
+        const Scalar most = distance + Tolerance<Scalar>::support_noise * size;
+        return squared_norm(Vec3<Scalar>(on_a - on_b)) <= most * most;
+    }
+
+    /// Writes the answer for separated bodies. Weights on a thin triangle are less accurate than its foot,
+    /// the closest point: the difference of the witness points from it is shared out, so that they are
+    /// separated by the reported distance.
+    void write_separated(const Vec3<Scalar>& closest, Scalar distance, Distance& answer) const {
+        const Vec3<Scalar> excess = Scalar(0.5) * (on_a - on_b - closest);
+        answer.status = Status::separated;
+        answer.distance = distance;
+        answer.point_a = cast<double>(Vec3<Scalar>(on_a - excess));
+        answer.point_b = cast<double>(Vec3<Scalar>(on_b + excess));
+        answer.normal = cast<double>(Vec3<Scalar>(closest * (-1 / distance)));
+    }
+};
 
 }  // namespace edgewise

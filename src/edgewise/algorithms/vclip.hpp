@@ -315,18 +315,19 @@ struct VClip {
                                             const Transform<double>& a_from_b,
                                             FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
                                             Run run) {
-        const auto into_a = cast<ComputeOf<TableA>>(a_from_b);
+        const auto& into_a = in_scalar<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
         FirstTry first = pair.first_try();
-        const Distance result = run(body_a, body_b, first);
+        Distance result = run(body_a, body_b, first);
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
         const bool is_at_rest = end == start && pair.belongs_to(a, b);
         if (is_at_rest && first == FirstTry::nearer_start) first = FirstTry::walk;
         if (!is_at_rest || first != pair.first_try()) pair = {a, b, end, first};
-        return within(options, result);
+        apply_tolerance(options, result);
+        return result;
     }
 };
 

@@ -4,6 +4,7 @@
 // Answers and times come from the same query code; only a whole pass is behind the virtual call.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,7 +18,6 @@
 #include "edgewise/bench/near_margins.hpp"
 #include "edgewise/bench/prepared_workload.hpp"
 #include "edgewise/bench/runner_options.hpp"
-#include "edgewise/bench/scales/scale_times.hpp"
 #include "edgewise/bench/support_times.hpp"
 #include "edgewise/bench/trace/trace_extent.hpp"
 #include "edgewise/measure/cache/trace.hpp"
@@ -46,6 +46,17 @@ struct BuildTimes {
 struct TableMap {
     std::vector<MappedPiece> pieces;  ///< offsets from the allocator's base, where it has one
     std::size_t vertices = 0, edges = 0, faces = 0;
+};
+
+/// What was measured of one table at many scales (scales/scale_study.hpp).
+struct ScaleTimes {
+    std::size_t scales = 0;                   ///< 0: the layout is not measured so
+    std::vector<double> shared_ns, own_ns;    ///< of each repetition, per query
+    std::vector<double> build_ns, refit_ns;   ///< of a table of a stretched body, from scratch and in place
+    double shared_bytes = 0, own_bytes = 0;   ///< of tables, and of the objects that hold or view them
+    std::size_t queries = 0, other_bits = 0;  ///< asked of both once; distances that differ
+    std::size_t checked = 0;                  ///< of them, against exact ones
+    double error = 0;                         ///< the worst, over the size of the problem
 };
 
 /// A pass over a workload's queries as an engine with threads makes it: frame after frame, each frame one

@@ -222,8 +222,7 @@ PairSource source_of(const CampaignArguments& options) {
         std::ranges::find(families, random_family) == families.end())
         throw std::invalid_argument(
             fmt::format("--shape is of the family {}: add it, or leave --shape out", random_family));
-    if (options.as_stored && std::ranges::none_of(options.shapes, scene::names_mesh_file))
-        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+    scene::refuse_as_stored_without_mesh(options.as_stored, options.shapes);
     if (options.pairs != std::floor(options.pairs))
         throw std::invalid_argument(
             fmt::format("--pairs {}: a whole number of pairs is wanted", options.pairs));

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <stdexcept>
@@ -121,8 +122,7 @@ scene::PastedPair read_judge_input(const JudgeInput& input) {
             warn(fmt::format("{}: {}; the nearest rotation is used", input.text, pasted.warning));
         return std::move(pasted).or_throw();
     }
-    if (input.as_stored && !scene::names_mesh_file(input.body_a) && !scene::names_mesh_file(input.body_b))
-        throw std::invalid_argument("--as-stored is of mesh files: neither --a nor --b is one");
+    scene::refuse_as_stored_without_mesh(input.as_stored, std::array{input.body_a, input.body_b});
     return {{"meshes", body_called(input.body_a, input.as_stored), body_called(input.body_b, input.as_stored),
              pose_from(input.pose_a, "--pose-a"), pose_from(input.pose_b, "--pose-b")},
             scene::names_mesh_file(input.body_a) && scene::names_mesh_file(input.body_b) ? "mesh files"

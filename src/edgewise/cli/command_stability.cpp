@@ -30,8 +30,7 @@ struct StabilityArguments {
 /// none where no family asks for them.
 std::vector<Polyhedron> real_bodies(const StabilityArguments& options) {
     const auto& families = options.plan.families;
-    if (options.as_stored && std::ranges::none_of(options.shapes, scene::names_mesh_file))
-        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+    scene::refuse_as_stored_without_mesh(options.as_stored, options.shapes);
     if (!families.empty() && std::ranges::find(families, studies::real_family) == families.end()) {
         if (!options.shapes.empty())
             throw std::invalid_argument(fmt::format(
@@ -70,13 +69,6 @@ void print(const reports::ReportData& data) {
         fmt::print("\n{}", grid_text(problems));
 }
 
-/// A part that is measured again is not complete before it ends.
-void begin_part(const sweep::Shard& shard, store::Store& store) {
-    if (shard.is_whole()) return;
-    store.set_meta(store::shard_key, shard.text());
-    store.set_meta(store::complete_key, "");
-}
-
 int run_stability(const StabilityArguments& options, bool json) {
     check_folder_of(options.store, "--store");
     studies::StabilityPlan plan = options.plan;
@@ -91,9 +83,9 @@ int run_stability(const StabilityArguments& options, bool json) {
     make_folder_of(options.store, "--store");
     store::Store store(options.store);
     reports::ReportData data;
-    begin_part(shard, store);
+    if (!shard.is_whole()) store.set_shard(shard.text(), false);  // not before it ends
     const bool done = !any || run_with_progress(plan, store, data);
-    if (!shard.is_whole() && done) store.set_meta(store::complete_key, shard.text());
+    if (!shard.is_whole() && done) store.set_shard(shard.text(), true);
     const auto count = [&](store::CellStatus status) {
         return std::ranges::count(data.stability, status, &store::CellRow::status);
     };

@@ -98,11 +98,10 @@ bool narrowed(const SweepArguments& options) { return !options.scenes.empty() ||
 
 /// What would be left unused in silence.
 void refuse_unused(const SweepArguments& options) {
-    const bool has_files = std::ranges::any_of(options.shapes, scene::names_mesh_file);
-    if (options.each_mesh && !has_files)
+    if (options.each_mesh && std::ranges::none_of(options.shapes, scene::names_mesh_file))
         throw std::invalid_argument("--each-mesh is of mesh files: name some with --shape, or leave it out");
-    if (options.as_stored && !has_files && std::ranges::none_of(options.scenes, scene::is_scene_file))
-        throw std::invalid_argument("--as-stored is of mesh files: name some, or leave it out");
+    if (std::ranges::none_of(options.scenes, scene::is_scene_file))
+        scene::refuse_as_stored_without_mesh(options.as_stored, options.shapes);
     const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);
     if (!options.machines.empty() && !some_caches)
         throw std::invalid_argument(
@@ -298,15 +297,12 @@ int run_sweep(const SweepArguments& options, bool json) {
     PartsSummary outcome;
     {
         store::Store store(path);
-        if (!shard.is_whole()) {
-            store.set_meta(store::shard_key, shard.text());
-            store.set_meta(store::complete_key, "");  // of an earlier run
-        }
+        if (!shard.is_whole()) store.set_shard(shard.text(), false);  // nor by an earlier run
         RunNote note(store, fmt::format("{}", fmt::join(words_of(*options.command), " ")), work.cells());
         outcome = run_parts(work, store, [&](std::size_t cells) { note.add_done(cells); });
         if (!outcome.stopped) {
             note.end();
-            if (!shard.is_whole()) store.set_meta(store::complete_key, shard.text());
+            if (!shard.is_whole()) store.set_shard(shard.text(), true);
         }
     }
     if (outcome.stopped && (outcome.sweep.cells == 0 || !shard.is_whole())) {

@@ -35,11 +35,6 @@ CLI::Option* add_as_stored_option(CLI::App& command, bool& as_stored) {
                             "leave out the turn and the scale that a COLLADA file names (up axis, unit)");
 }
 
-void refuse_unused(const BodyChoice& choice) {
-    if (choice.as_stored && !scene::names_mesh_file(choice.shape))
-        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
-}
-
 constexpr const char* shape_type = "NAME|FILE";
 
 }  // namespace
@@ -178,7 +173,7 @@ std::string bodies_of(const studies::CellChoice& choice) {
 }
 
 scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat) {
-    refuse_unused(choice);
+    scene::refuse_as_stored_without_mesh(choice.as_stored, {&choice.shape, 1});
     if (!scene::names_mesh_file(choice.shape)) {
         Polyhedron body = scene::make_shape(choice.shape).or_throw();
         return {choice.shape, body, body.vertices};
@@ -188,7 +183,7 @@ scene::MeshBody chosen_body(const BodyChoice& choice, bool takes_flat) {
 }
 
 scene::NamedShape chosen_shape(const BodyChoice& choice) {
-    refuse_unused(choice);
+    scene::refuse_as_stored_without_mesh(choice.as_stored, {&choice.shape, 1});
     return with_warning(scene::named_shape(choice.shape, {.as_stored = choice.as_stored}));
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
@@ -48,10 +49,9 @@ struct Transform {
 /// stretched.
 [[nodiscard]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
     Transform<double> result;
-    for (int column = 0; column < 3; ++column) {
-        const Vec3d axis = b.rotation.col(column);
-        result.rotation.col(column) = multiply_transposed(a.rotation, axis);
-    }
+    for (int i = 0; i < 3; ++i)  // by rows, as they are stored
+        result.rotation.row(i) = a.rotation(0, i) * b.rotation.row(0) + a.rotation(1, i) * b.rotation.row(1) +
+                                 a.rotation(2, i) * b.rotation.row(2);
     result.translation = multiply_transposed(a.rotation, Vec3d(b.translation - a.translation));
     return result;
 }
@@ -59,6 +59,16 @@ struct Transform {
 template <class To, class From>
 [[nodiscard]] Transform<To> cast(const Transform<From>& t) {
     return {t.rotation.template cast<To>(), t.translation.template cast<To>()};
+}
+
+/// Returns the map in this scalar: a reference to `t` if it has this scalar, else a copy. `t` must live
+/// longer.
+template <class To, class From>
+[[nodiscard]] decltype(auto) in_scalar(const Transform<From>& t) {
+    if constexpr (std::is_same_v<To, From>)
+        return (t);
+    else
+        return cast<To>(t);
 }
 
 /// Distance of R from orthogonal: the largest entry of |R^T R - I|; NaN if one is.

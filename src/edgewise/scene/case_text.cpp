@@ -37,41 +37,29 @@ std::string point_text(const Vec3d& p) {
 
 bool is_identity(const Pose& pose) { return pose.rotation.isIdentity(0) && pose.translation.isZero(0); }
 
-/// "{name}.matrix() << ..."
-std::string fcl_pose(const char* name, const Pose& pose) {
-    std::string text =
-        fmt::format("    fcl::Transform3d {0} = fcl::Transform3d::Identity();\n    {0}.matrix() <<", name);
-    Eigen::Matrix<double, 3, 4> rows;
-    rows << pose.rotation, pose.translation;
-    return text + fmt::format(" {}, 0, 0, 0, 1;\n", fmt::join(rows.reshaped<Eigen::RowMajor>(), ", "));
+/// A line for each point, with its coordinates in this call.
+std::string lines_of(const std::vector<Vec3d>& points, const char* call) {
+    std::string text;
+    for (const Vec3d& v : points)
+        text += fmt::format(fmt::runtime(call), fmt::format("{}, {}, {}", v.x(), v.y(), v.z()));
+    return text;
 }
 
-std::string fcl_body(const char* name, const Polyhedron& body) {
-    std::string text =
-        fmt::format("    auto {0}_points = std::make_shared<std::vector<fcl::Vector3d>>();\n", name);
-    for (const Vec3d& v : body.vertices)
-        text += fmt::format("    {}_points->emplace_back({}, {}, {});\n", name, v.x(), v.y(), v.z());
-    text += fmt::format("    auto {}_faces = std::make_shared<std::vector<int>>(std::vector<int>{{", name);
+/// The corners of each face, behind their number.
+std::string faces_text(const Polyhedron& body) {
+    std::string text;
     for (std::size_t f = 0; f < body.face_count(); ++f) {
         const auto ring = body.ring_of_face(static_cast<Index>(f));
         text += fmt::format("{}{}", f == 0 ? "" : ", ", ring.size());
         for (const HalfEdge h : ring) text += fmt::format(", {}", body.tail(h));
     }
-    return text + fmt::format("}});\n    fcl::Convex<double> {0}({0}_points, {1}, {0}_faces);\n", name,
-                              body.face_count());
+    return text;
 }
 
-std::string bullet_body(const char* name, const CaseBody& body) {
-    std::string text = fmt::format("    btConvexHullShape {};\n", name);
-    for (const Vec3d& v : body.vertices)
-        text += fmt::format("    {}.addPoint(btVector3({}, {}, {}));\n", name, v.x(), v.y(), v.z());
-    return text + fmt::format("    {}.setMargin(0);\n", name);
-}
-
-std::string bullet_pose(const char* name, const Pose& pose) {
-    return fmt::format(
-        "    btTransform {0};\n    {0}.setBasis(btMatrix3x3({1}));\n    {0}.setOrigin(btVector3({2}));\n",
-        name, fmt::join(pose.rotation.reshaped<Eigen::RowMajor>(), ", "), fmt::join(pose.translation, ", "));
+std::string rows_text(const Pose& pose) {
+    Eigen::Matrix<double, 3, 4> rows;
+    rows << pose.rotation, pose.translation;
+    return fmt::format("{}", fmt::join(rows.reshaped<Eigen::RowMajor>(), ", "));
 }
 
 }  // namespace
@@ -126,40 +114,33 @@ Result<std::string> fcl_test(const Case& pair, const ExpectedAnswer& expected) {
     if (!a || !b) return Text::failure(!a ? a.error : b.error);
     if (a->face_count() < 4 || b->face_count() < 4)
         return Text::failure("a body is flat, and an fcl::Convex is a solid");
-    std::string text = "#include <fcl/fcl.h>\n#include <gtest/gtest.h>\n\nTEST(Pair, HasItsDistance) {\n";
-    text +=
-        fcl_body("a", *a) + fcl_body("b", *b) + fcl_pose("X_WA", pair.pose_a) + fcl_pose("X_WB", pair.pose_b);
-    text +=
-        "    fcl::DistanceRequestd request;\n    request.enable_signed_distance = true;\n"
-        "    fcl::DistanceResultd result;\n    fcl::distance(&a, X_WA, &b, X_WB, request, result);\n";
-    const double wanted = expected.depth ? -*expected.depth : expected.distance;
-    text +=
-        fmt::format("    EXPECT_NEAR(result.min_distance, {}, request.distance_tolerance);\n}}\n", wanted);
-    return Text::success(std::move(text));
+    return Text::success(
+        fmt::format(fmt::runtime(fcl_test_text),
+                    fmt::arg("points_a", lines_of(a->vertices, "    a_points->emplace_back({});\n")),
+                    fmt::arg("points_b", lines_of(b->vertices, "    b_points->emplace_back({});\n")),
+                    fmt::arg("faces_a", faces_text(*a)), fmt::arg("faces_b", faces_text(*b)),
+                    fmt::arg("count_a", a->face_count()), fmt::arg("count_b", b->face_count()),
+                    fmt::arg("pose_a", rows_text(pair.pose_a)), fmt::arg("pose_b", rows_text(pair.pose_b)),
+                    fmt::arg("wanted", expected.depth ? -*expected.depth : expected.distance)));
 }
 
 std::string bullet_test(const Case& pair, const ExpectedAnswer& expected) {
-    std::string text =
-        "#include <BulletCollision/CollisionShapes/btConvexHullShape.h>\n"
-        "#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>\n"
-        "#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>\n"
-        "#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>\n"
-        "#include <gtest/gtest.h>\n\nTEST(Pair, HasItsDistance) {\n";
-    text += bullet_body("a", pair.a) + bullet_body("b", pair.b);
-    text += "    btGjkPairDetector::ClosestPointInput input;\n";
-    text += bullet_pose("pose_a", pair.pose_a) + bullet_pose("pose_b", pair.pose_b);
-    text +=
-        "    input.m_transformA = pose_a;\n    input.m_transformB = pose_b;\n"
-        "    btVoronoiSimplexSolver simplex;\n    btGjkPairDetector detector(&a, &b, &simplex, nullptr);\n"
-        "    btPointCollector found;\n    detector.getClosestPoints(input, found, nullptr);\n";
-    if (expected.distance > 0) {
-        text += fmt::format(
-            "    ASSERT_TRUE(found.m_hasResult);\n    EXPECT_NEAR(found.m_distance, {}, 1e-6);\n}}\n",
-            expected.distance);
-    } else {
-        text += "    EXPECT_FALSE(found.m_hasResult && found.m_distance > 1e-6);\n}\n";
-    }
-    return text;
+    const auto rotation = [](const Pose& pose) {
+        return fmt::format("{}", fmt::join(pose.rotation.reshaped<Eigen::RowMajor>(), ", "));
+    };
+    const auto origin = [](const Pose& pose) { return fmt::format("{}", fmt::join(pose.translation, ", ")); };
+    return fmt::format(
+        fmt::runtime(bullet_test_text),
+        fmt::arg("points_a", lines_of(pair.a.vertices, "    a.addPoint(btVector3({}));\n")),
+        fmt::arg("points_b", lines_of(pair.b.vertices, "    b.addPoint(btVector3({}));\n")),
+        fmt::arg("rotation_a", rotation(pair.pose_a)), fmt::arg("rotation_b", rotation(pair.pose_b)),
+        fmt::arg("origin_a", origin(pair.pose_a)), fmt::arg("origin_b", origin(pair.pose_b)),
+        fmt::arg(
+            "expected",
+            expected.distance > 0
+                ? fmt::format("ASSERT_TRUE(found.m_hasResult);\n    EXPECT_NEAR(found.m_distance, {}, 1e-6)",
+                              expected.distance)
+                : "EXPECT_FALSE(found.m_hasResult && found.m_distance > 1e-6)"));
 }
 
 }  // namespace edgewise::scene

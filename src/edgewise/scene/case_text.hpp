@@ -42,6 +42,9 @@ struct ExpectedAnswer {
 [[nodiscard]] std::string case_line(const Case& pair, const std::string& source,
                                     const std::optional<ExpectedAnswer>& expected = std::nullopt);
 
+/// fcl_test.txt and bullet_test.txt: the tests, with names in braces for what differs.
+extern const char *const fcl_test_text, *const bullet_test_text;
+
 /// Returns a googletest test for FCL's default solver, with the hulls' faces. Fails for flat bodies, because
 /// FCL has none.
 [[nodiscard]] Result<std::string> fcl_test(const Case& pair, const ExpectedAnswer& expected);

@@ -175,6 +175,11 @@ std::set<int> Store::rounds_done(const std::string& build, const std::string& ha
     return numbers;
 }
 
+void Store::set_shard(const std::string& shard, bool is_complete) {
+    set_meta(shard_key, shard);
+    set_meta(complete_key, is_complete ? shard : "");
+}
+
 void Store::set_meta(const std::string& key, const std::string& value) {
     sqlite::Statement(database_, "insert or replace into meta values(?,?)").bind(key, value).run();
 }

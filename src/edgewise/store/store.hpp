@@ -48,6 +48,8 @@ class Store {
 
     /// Sets a value of the table `meta`: plan name, start time, command line ...
     void set_meta(const std::string& key, const std::string& value);
+    /// Notes which shard of its rows the store has, and if all of it was measured.
+    void set_shard(const std::string& shard, bool is_complete);
     /// Value of a key; nothing if it was never set.
     [[nodiscard]] std::optional<std::string> meta(const std::string& key) const;
 

@@ -49,8 +49,7 @@ scene::NamedShape shape_of(const CellChoice& choice) {
     const bool is_recorded = scene::names_recording(choice.scene);
     if (is_recorded && choice.shape != CellChoice{}.shape)
         throw std::invalid_argument("a recording has bodies of its own: leave --shape out");
-    if (choice.as_stored && !is_recorded && !scene::names_mesh_file(choice.shape))
-        throw std::invalid_argument("--as-stored is of mesh files: name one with --shape, or leave it out");
+    if (!is_recorded) scene::refuse_as_stored_without_mesh(choice.as_stored, {&choice.shape, 1});
     auto shape = scene::named_shape(choice.shape, {.as_stored = choice.as_stored});
     if (!shape.warning.empty() && choice.warn) choice.warn(shape.warning);
     return std::move(shape).or_throw();

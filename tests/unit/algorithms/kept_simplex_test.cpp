@@ -256,17 +256,18 @@ struct Triangle {
 };
 
 /// The plane of a sliver may pass nearer to the origin than the sliver.
-TEST(ReachesClosest, IsFalseForAFootOutsideTheTriangle) {
+TEST(WitnessPoints, AreNotAsNearAsAFootOutsideTheTriangle) {
     Triangle sliver;
     sliver.corners = {Vec3d(1, 0, 1), Vec3d(2, 0, 1), Vec3d(1.5, 1e-8, 1 + 1e-9)};
     ClosestOfSimplex<double> closest;
     closest.weight = {1, 0, 0, 0};
     closest.point = sliver.corners[0];
-    EXPECT_TRUE(reaches_closest(sliver, closest, 2.0));
+    const WitnessPoints<double> witnesses(sliver, closest);
+    EXPECT_TRUE(witnesses.are_as_near_as(norm(closest.point), 2.0));
     const Vec3d normal =
         cross(Vec3d(sliver.corners[1] - sliver.corners[0]), Vec3d(sliver.corners[2] - sliver.corners[0]));
     closest.point = (dot(normal, sliver.corners[0]) / squared_norm(normal)) * normal;
-    EXPECT_FALSE(reaches_closest(sliver, closest, 2.0));
+    EXPECT_FALSE(witnesses.are_as_near_as(norm(closest.point), 2.0));
 }
 
 }  // namespace

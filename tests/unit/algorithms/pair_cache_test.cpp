@@ -43,14 +43,14 @@ TEST(PairCache, TakesFewBytes) {
 TEST(PairCache, HoldsWhatWasPutIn) {
     scene::Rng rng(5);
     for (int i = 0; i < 1000; ++i) {
-        const FarHandles a{static_cast<Index>(rng.below(1U << 26))},
-            b{static_cast<Index>(rng.below(1U << 26))};
+        const FarHandles a{static_cast<Index>(rng.below(1U << 24))},
+            b{static_cast<Index>(rng.below(1U << 24))};
         FarPair pair(a, b);
         const auto count = static_cast<std::uint32_t>(rng.below(5));
         std::vector<FarPair::Corner> corners;
         for (std::uint32_t k = 0; k < count; ++k) {
             corners.push_back(
-                {static_cast<Index>(rng.below(1U << 26)), static_cast<Index>(rng.below(1U << 26))});
+                {static_cast<Index>(rng.below(1U << 24)), static_cast<Index>(rng.below(1U << 24))});
             pair.push(corners.back());
         }
         ASSERT_EQ(pair.count(), count);
@@ -60,11 +60,11 @@ TEST(PairCache, HoldsWhatWasPutIn) {
     }
 }
 
-/// Handles up to 26 bits are kept, larger ones are not: such a pair is asked cold each time, and answered.
+/// Handles up to 24 bits are kept, larger ones are not: such a pair is asked cold each time, and answered.
 TEST(PairCache, KeepsNoHandleThatDoesNotFit) {
     const Transform<double> pose{Mat3d::Identity(), {3, 0, 0}};
     for (const auto& [first, fits] :
-         {std::pair{(1U << 26) - 4, true}, {1U << 26, false}, {1U << 31, false}}) {
+         {std::pair{(1U << 24) - 4, true}, {1U << 24, false}, {1U << 31, false}}) {
         const FarHandles shape{first};
         FarPair pair(shape, shape);
         for (int frame = 0; frame < 3; ++frame) {

@@ -74,7 +74,7 @@ double contrast(std::string_view a, std::string_view b) {
 
 TEST(Palette, LayoutsAreToldApartByEveryEye) {
     double least = 1000;
-    for (std::size_t i = 0; i < layout_colours.size(); ++i) {
+    for (std::size_t i = 0; i < std::size(layout_colours); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const auto &a = layout_colours[i], &b = layout_colours[j];
             for (const auto& [name, eye] :

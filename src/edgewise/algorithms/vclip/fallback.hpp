@@ -145,7 +145,7 @@ template <class TableA, class TableB>
     if (!may_be_closest(a.feature.kind(), b.feature.kind())) return false;
     return ask_kept_simplex(a.table, b.table, a.from_other, [&](auto& kept) {
         if (!rests_on_features(kept, a, b) || !kept.is_proven({})) return false;
-        answer = gjk_answer(kept, kept.closest(), Status::separated, 0);
+        kept.write(answer);
         return true;
     });
 }
@@ -163,7 +163,7 @@ template <class TableA, class TableB>
     auto simplex = feature_simplex(a.table, a.feature, b.table, b.feature);
     const Distance answer = [&] {
         if constexpr (is_traced<TableA>)
-            return GjkRun<TableA, TableB>(a.table, b.table, a.from_other).run(simplex);
+            return run_observed_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{}, NoObserver());
         else
             return run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{});
     }();

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "edgewise/algorithms/gjk.hpp"
-#include "edgewise/bench/scales/scale_times.hpp"
+#include "edgewise/bench/runner.hpp"
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/layout_parts/write_geometry.hpp"

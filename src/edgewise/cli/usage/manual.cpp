@@ -132,48 +132,16 @@ std::string quoted_paths(const CLI::App& app, const char* between) {
     return fmt::format("{}", fmt::join(paths, between));
 }
 
-/// bash and zsh find the command in the same way: by the words that extend a known path. `words`: the array
-/// of words; `first`, `last`: where to look in it.
-std::string path_in_shell(const CLI::App& app, const std::string& words, const std::string& first,
-                          const std::string& last) {
-    std::string text = fmt::format(
-        "    local at= i\n"
-        "    for ((i = {1}; i < {2}; ++i)); do\n"
-        "        case \"${{at:+$at }}${{{0}[i]}}\" in\n"
-        "            {3}) at=\"${{at:+$at }}${{{0}[i]}}\" ;;\n"
-        "        esac\n"
-        "    done\n"
-        "    local options= nested=\n"
-        "    case \"$at\" in\n",
-        words, first, last, quoted_paths(app, " | "));
+/// bash and zsh find the command in the same way: by the words that extend a known path.
+std::string completion(const CLI::App& app, const char* script) {
+    std::string cases;
     for (const CLI::App* command : all_of(app))
-        text += fmt::format("        '{}') options='{}' nested='{}' ;;\n", path_of(*command),
-                            fmt::join(option_names(*command), " "), fmt::join(command_names(*command), " "));
-    return text + "    esac\n";
+        cases += fmt::format("        '{}') options='{}' nested='{}' ;;\n", path_of(*command),
+                             fmt::join(option_names(*command), " "), fmt::join(command_names(*command), " "));
+    return replaced(replaced(script, "@PATHS@", quoted_paths(app, " | ")), "@CASES@", cases);
 }
-
-std::string bash_completion(const CLI::App& app) {
-    return "_edgewise() {\n" + path_in_shell(app, "COMP_WORDS", "1", "COMP_CWORD") +
-           "    local word=${COMP_WORDS[COMP_CWORD]}\n"
-           "    case \"$word\" in\n"
-           "        -*) nested=$options ;;\n"
-           "    esac\n"
-           "    COMPREPLY=($(compgen -W \"$nested\" -- \"$word\"))\n"
-           "}\n"
-           "complete -o default -F _edgewise edgewise\n";
-}
-
-std::string zsh_completion(const CLI::App& app) {
-    return "#compdef edgewise\n_edgewise() {\n" + path_in_shell(app, "words", "2", "CURRENT") +
-           "    if [[ ${words[CURRENT]} == -* ]]; then\n"
-           "        compadd -- ${=options}\n"
-           "    else\n"
-           "        compadd -- ${=nested}\n"
-           "        _files\n"
-           "    fi\n"
-           "}\n"
-           "_edgewise \"$@\"\n";
-}
+std::string bash_completion(const CLI::App& app) { return completion(app, bash_script); }
+std::string zsh_completion(const CLI::App& app) { return completion(app, zsh_script); }
 
 /// In single quotes for fish.
 std::string fish_text(const std::string& text) {
@@ -181,15 +149,7 @@ std::string fish_text(const std::string& text) {
 }
 
 std::string fish_completion(const CLI::App& app) {
-    std::string text = fmt::format(
-        "function __edgewise_at\n"
-        "    set -l at\n"
-        "    for word in (commandline -opc)[2..-1]\n"
-        "        contains -- \"$(string join ' ' $at $word)\" {} && set at $at $word\n"
-        "    end\n"
-        "    test \"$at\" = \"$argv\"\n"
-        "end\n",
-        quoted_paths(app, " "));
+    std::string text = replaced(fish_script, "@PATHS@", quoted_paths(app, " "));
     for (const CLI::App* command : all_of(app)) {
         const std::string here =
             fmt::format("complete -c edgewise -n \"__edgewise_at {}\"", path_of(*command));

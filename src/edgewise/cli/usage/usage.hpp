@@ -16,6 +16,9 @@ namespace edgewise::cli {
 /// examples.json.
 extern const char* const example_texts;
 
+/// completion.bash and the like: scripts with places for the paths of commands, and for a case of each.
+extern const char *const bash_script, *const zsh_script, *const fish_script;
+
 /// Returns the end of a command's --help: two command lines that can be typed as they are. `path`: the words
 /// that call the command.
 [[nodiscard]] std::string examples_of(const std::string& path);

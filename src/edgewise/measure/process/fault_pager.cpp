@@ -54,7 +54,6 @@ void on_fault(int /*signal*/, siginfo_t* info, void* /*context*/) {
     if (use.unmapped) madvise(living->base + *use.unmapped * living->page, living->page, MADV_DONTNEED);
     if (use.how == PageUse::hard) {
         ++living->counts.hard;
-        living->counts.waited_ns += living->wait_ns;
         if (living->wait_ns > 0) wait(living->wait_ns);
     } else {
         ++living->counts.soft;

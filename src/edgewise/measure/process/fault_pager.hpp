@@ -20,7 +20,6 @@ namespace edgewise::measure {
 
 struct FaultCounts {
     std::uint64_t soft = 0, hard = 0;  ///< a page's first use is soft
-    double waited_ns = 0;              ///< in hard faults, as stated
 };
 
 class FaultPager {

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <regex>
+#include <stdexcept>
 #include <utility>
 
 #include "edgewise/geometry/hull.hpp"
@@ -208,6 +209,11 @@ Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
         bodies.push_back(std::move(*mesh));
     }
     return Bodies::success(std::move(bodies), std::move(warnings));
+}
+
+void refuse_as_stored_without_mesh(bool as_stored, std::span<const std::string> shapes) {
+    if (as_stored && std::ranges::none_of(shapes, names_mesh_file))
+        throw std::invalid_argument("--as-stored is of mesh files: name one, or leave it out");
 }
 
 Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, const MeshReading& reading) {

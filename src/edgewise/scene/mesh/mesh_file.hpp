@@ -5,6 +5,7 @@
 // file of several convex objects, as decompositions write them, is refused where one hull would fill them up.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,9 @@ inline constexpr double mesh_scale = 1.0 + 1.0 / 3.0;
 [[nodiscard]] inline bool names_mesh_file(std::string_view shape) {
     return shape.find_first_of("./") != shape.npos;
 }
+
+/// Throws std::invalid_argument if `as_stored` is set and no shape is a mesh file.
+void refuse_as_stored_without_mesh(bool as_stored, std::span<const std::string> shapes);
 
 /// The bodies under the names of their files, scaled by mesh_scale, with new hulls. The warning is that of
 /// read_mesh_file.

@@ -68,19 +68,13 @@ std::vector<std::uint32_t> records_of(const FieldMap& table) {
     return records;
 }
 
-/// Returns false for nodes: their records hold other fields.
-bool holds_stored_fields(const FieldMap& map) {
-    return std::ranges::equal(map.fields, stored_field_infos, {}, &RecordField::name, &StoredFieldInfo::name);
-}
-
 }  // namespace
 
 FieldTrace trace_fields(const bench::Runner& runner, const bench::TraceExtent& extent,
                         const std::string& table) {
     FieldTrace trace;
     trace.tables = runner.field_maps();
-    if (trace.tables.empty() || !holds_stored_fields(trace.tables.front()) ||
-        !runner.table_allocator().base())
+    if (trace.tables.empty() || !runner.table_allocator().base())
         throw std::invalid_argument(
             fmt::format("{}: this layout does not keep its fields in arrays, each in a place of its own; "
                         "name aos, aos_padded, hot_cold, soa, soa_stagger, aosoa or grouped",

@@ -2,7 +2,9 @@
 #include "edgewise/studies/thrash/factorial.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 
 #include "edgewise/bench/parallel.hpp"
@@ -65,41 +67,30 @@ class TracedScenes {
         std::size_t table, algorithm, shape, shared, time_step, bodies, speed;
     };
 
-    explicit TracedScenes(const Levels& levels) : levels_(levels) { demands_.resize(count()); }
+    explicit TracedScenes(const Levels& levels)
+        : sizes_{levels.tables.size(),     algorithms.size(),    shapes.size(), levels.shared.size(),
+                 levels.time_steps.size(), levels.bodies.size(), speeds.size()} {
+        demands_.resize(std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{1}, std::multiplies()));
+    }
 
-    [[nodiscard]] std::size_t count() const {
-        return levels_.tables.size() * algorithms.size() * shapes.size() * levels_.shared.size() *
-               levels_.time_steps.size() * levels_.bodies.size() * speeds.size();
-    }
-    [[nodiscard]] std::size_t index(const Key& key) const {
-        std::size_t at = key.table;
-        at = at * algorithms.size() + key.algorithm;
-        at = at * shapes.size() + key.shape;
-        at = at * levels_.shared.size() + key.shared;
-        at = at * levels_.time_steps.size() + key.time_step;
-        at = at * levels_.bodies.size() + key.bodies;
-        return at * speeds.size() + key.speed;
-    }
+    [[nodiscard]] std::size_t count() const { return demands_.size(); }
     [[nodiscard]] Key key(std::size_t at) const {
         Key key{};
-        const auto take = [&](std::size_t& part, std::size_t size) {
-            part = at % size;
-            at /= size;
-        };
-        take(key.speed, speeds.size());
-        take(key.bodies, levels_.bodies.size());
-        take(key.time_step, levels_.time_steps.size());
-        take(key.shared, levels_.shared.size());
-        take(key.shape, shapes.size());
-        take(key.algorithm, algorithms.size());
-        key.table = at;
+        for (std::size_t i = sizes_.size(); i-- > 0; at /= sizes_[i]) key.*parts[i] = at % sizes_[i];
         return key;
     }
-    [[nodiscard]] MemoryDemand& at(const Key& key) { return demands_[index(key)]; }
+    [[nodiscard]] MemoryDemand& at(const Key& key) {
+        std::size_t place = 0;
+        for (std::size_t i = 0; i < sizes_.size(); ++i) place = place * sizes_[i] + key.*parts[i];
+        return demands_[place];
+    }
     [[nodiscard]] const std::vector<MemoryDemand>& all() const { return demands_; }
 
   private:
-    const Levels& levels_;
+    static constexpr std::array<std::size_t Key::*, 7> parts = {
+        &Key::table, &Key::algorithm, &Key::shape, &Key::shared, &Key::time_step, &Key::bodies, &Key::speed};
+
+    std::array<std::size_t, 7> sizes_;  ///< numbers of levels of each part
     std::vector<MemoryDemand> demands_;
 };
 

@@ -2,8 +2,6 @@
 //
 // A query's walk read from a store's texts and drawn: features of both bodies, lines of one or two tables,
 // several tables of one walk, and what fits no body.
-#include "edgewise/reports/body/body_walk.hpp"
-
 #include <gmock/gmock.h>
 
 #include "edgewise/reports/body/body_heat.hpp"
