@@ -25,7 +25,7 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
     {"cstdint", "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t uintptr_t"},
     {"cstring", "memcmp memcpy memset"},
     {"filesystem", "filesystem"},
-    {"functional", "function"},
+    {"functional", "function ref"},
     {"initializer_list", "initializer_list"},
     {"iosfwd", "istream ostream"},
     {"iterator", "default_sentinel_t"},

@@ -116,11 +116,11 @@ edgewise_mutant(normal_points_from_b_to_a algorithms/subset.hpp [[(-1 / distance
 edgewise_mutant(old_pairs_are_followed algorithms/penetration/start.hpp [[if (!pair.belongs_to(a, b)) return SimplexPair<TableA, TableB>(a, b);]] [[]]
     RebuiltTable* ${unit}/algorithms/rebuilt_table_test.cpp)
 
-edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(part.begin(), part.size())]] [[answers.subspan(0, part.size())]]
+edgewise_mutant(parts_answer_in_the_first_places algorithms/parallel_batch.hpp [[answers.subspan(first, count)]] [[answers.subspan(0, count)]]
     ParallelBatches/*AreToTheBit* ${unit}/algorithms/parallel_batch_test.cpp)
 edgewise_mutant(batch_stays_in_one_thread algorithms/parallel_batch.hpp [[tbb::task_arena arena(threads);]] [[tbb::task_arena arena(1);]]
     ParallelBatch.AsksInSoManyThreads ${unit}/algorithms/parallel_batch_test.cpp)
-edgewise_mutant(frames_ask_a_pair_again bench/frame_batches.hpp [[asked[workload.queries[i].pair]++ : 0]] [[asked[workload.queries[i].pair] : 0]]
+edgewise_mutant(frames_ask_a_pair_again bench/frame_batches.hpp [[= asked[pair_of(i)]++;]] [[= asked[pair_of(i)];]]
     FrameBatches.AskNoPairTwice* ${unit}/bench/frame_batches_test.cpp)
 edgewise_mutant(other_sums_pass studies/threads/scaling.cpp [[if (sum == single) return {};]] [[return {};]]
     Scaling.HoldsSums* ${unit}/studies/scaling_test.cpp)

@@ -150,16 +150,23 @@ class GjkRun : GjkStart<TableA, TableB> {
     bool is_decided_ = false;             ///< true if the last support point leaves nothing to gain
 };
 
-/// Answers a query that the last simplex did not answer. Not inlined: most coherent queries do not need it.
+/// Iterates from the pair's simplex. Not inlined: most small bodies do not need it.
 template <SupportTable TableA, SupportTable TableB>
-EDGEWISE_QUERY_LOOP void search_gjk(const TableA& a, const TableB& b,
-                                    const Transform<ComputeOf<TableA>>& a_from_b,
-                                    SimplexPair<TableA, TableB>& pair, const QueryOptions& options,
-                                    EarlySteps before, Distance& answer) {
-    NoObserver nobody;
-    EarlyAnswer<TableA, TableB> early(a, b, a_from_b, options, before);
-    if (early.from_search(pair, answer, nobody)) return;
-    answer = GjkRun<TableA, TableB>(a, b, a_from_b, options, early.steps()).run(pair);
+EDGEWISE_QUERY_LOOP void iterate_gjk(const TableA& a, const TableB& b,
+                                     const Transform<ComputeOf<TableA>>& a_from_b,
+                                     SimplexPair<TableA, TableB>& pair, const QueryOptions& options,
+                                     EarlySteps before, Distance& answer) {
+    answer = GjkRun<TableA, TableB>(a, b, a_from_b, options, before).run(pair);
+}
+
+/// Answers a query from where a search in singles ended. Not inlined: most coherent queries need no search.
+template <SupportTable TableA, SupportTable TableB>
+EDGEWISE_QUERY_LOOP void run_gjk_from(const SingleSearchEnd& end, const TableA& a, const TableB& b,
+                                      const Transform<ComputeOf<TableA>>& a_from_b,
+                                      SimplexPair<TableA, TableB>& pair, const QueryOptions& options,
+                                      Distance& answer) {
+    EarlyAnswer<TableA, TableB> early(a, b, a_from_b, options);
+    if (!early.from_end(end, pair, answer)) iterate_gjk(a, b, a_from_b, pair, options, early.steps(), answer);
 }
 
 /// One query with everything inlined: calls cost a tenth of it. A symbol of its own, which a library of table
@@ -173,12 +180,18 @@ template <SupportTable TableA, SupportTable TableB>
     Distance answer;
     NoObserver nobody;
     EarlyAnswer<TableA, TableB> early(a, b, a_from_b, options);
-    if (!early.from_last(pair, answer, nobody))
-        search_gjk(a, b, a_from_b, pair, options, early.steps(), answer);
+    if (early.from_last(pair, answer, nobody)) return answer;
+    if constexpr (NumberedTable<TableA> && NumberedTable<TableB>) {
+        if (early.may_search()) {
+            run_gjk_from(early.search(), a, b, a_from_b, pair, options, answer);
+            return answer;
+        }
+    }
+    iterate_gjk(a, b, a_from_b, pair, options, early.steps(), answer);
     return answer;
 }
 
-/// One query for an observer. Not inlined either: the straight-line vectoriser of g++ 12 would join the
+/// The same query for an observer. Not inlined either: the straight-line vectoriser of g++ 12 would join the
 /// pose's cast to single with that back to double, and drop both (geometry/hull.hpp).
 template <SupportTable TableA, SupportTable TableB, class Observer>
 [[nodiscard]] [[gnu::noinline]] Distance run_observed_gjk(const TableA& a, const TableB& b,
@@ -187,22 +200,14 @@ template <SupportTable TableA, SupportTable TableB, class Observer>
                                                           const QueryOptions& options, Observer&& observer) {
     Distance answer;
     EarlyAnswer<TableA, TableB> early(a, b, a_from_b, options);
-    if (!early.from_last(pair, answer, observer) && !early.from_search(pair, answer, observer))
-        answer = GjkRun<TableA, TableB>(a, b, a_from_b, options, early.steps()).run(pair, observer);
-    return answer;
-}
-
-/// The same from where a search in singles ended.
-template <SupportTable TableA, SupportTable TableB>
-[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run_gjk_from(const SingleSearchEnd& end, const TableA& a,
-                                                        const TableB& b,
-                                                        const Transform<ComputeOf<TableA>>& a_from_b,
-                                                        SimplexPair<TableA, TableB>& pair,
-                                                        const QueryOptions& options) {
-    Distance answer;
-    EarlyAnswer<TableA, TableB> early(a, b, a_from_b, options);
-    if (!early.from_end(end, pair, answer)) search_gjk(a, b, a_from_b, pair, options, early.steps(), answer);
-    return answer;
+    if (early.from_last(pair, answer, observer)) return answer;
+    if constexpr (NumberedTable<TableA> && NumberedTable<TableB>) {
+        if (early.may_search()) {
+            observer.search();
+            if (early.from_end(early.search(), pair, answer)) return answer;
+        }
+    }
+    return GjkRun<TableA, TableB>(a, b, a_from_b, options, early.steps()).run(pair, observer);
 }
 
 /// The algorithm as the sweep and users call it.
@@ -245,7 +250,10 @@ struct Gjk {
                     return found;
                 }
             const EarlyAnswer<TableA, TableB> early(a, b, transform, options);
-            if (early.along_one_direction(pair, found, observer)) return found;
+            if (const PointMask members = early.along_one_direction(pair, found)) {
+                observer.iterate(members);
+                return found;
+            }
         }
         if constexpr (is_looked_at<TableA, Observer>)
             return run_observed_gjk(a, b, transform, pair, options, observer);

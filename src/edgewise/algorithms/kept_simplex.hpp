@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -25,7 +24,6 @@
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/table/contract.hpp"
-#include "edgewise/table/loader.hpp"
 #include "edgewise/table/small_array.hpp"
 
 namespace edgewise {
@@ -159,42 +157,19 @@ class KeptSimplex {
     Number size_ = 0;
 };
 
-/// Calls ask(kept) with the corners of a pair, in doubles, and returns what it does; false if there are none,
-/// or four, which surround the origin. Each number of corners has code of its own, without loops, so that all
-/// of it stays in registers: queries take 0.9 of the time. It takes g++ a third longer to compile GJK, so
-/// traced tables, whose time is not measured, use the loop.
-template <SupportTable TableA, SupportTable TableB, class Ask>
-[[nodiscard]] [[gnu::always_inline]] inline bool ask_corners(const TableA& a, const TableB& b,
-                                                             const Transform<ComputeOf<TableA>>& a_from_b,
-                                                             const SimplexPair<TableA, TableB>& pair,
-                                                             const Ask& ask) {
-    const auto ask_some = [&](auto number) __attribute__((always_inline)) {
-        KeptSimplex<TableA, TableB, double> kept(a, b, a_from_b);
-        const std::uint32_t count = number;
-#pragma GCC unroll 3
-        for (std::uint32_t i = 0; i < count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
-        return ask(kept);
-    };
-    const std::uint32_t count = pair.count();
-    if constexpr (is_traced<TableA>) {
-        return count - 1 < 3 && ask_some(count);
-    } else {
-        if (count == 3) return ask_some(std::integral_constant<std::uint32_t, 3>());
-        if (count == 2) return ask_some(std::integral_constant<std::uint32_t, 2>());
-        return count == 1 && ask_some(std::integral_constant<std::uint32_t, 1>());
-    }
-}
-
 /// Calls ask(simplex) with an empty simplex, and returns what it does. Small bodies are computed in doubles,
 /// in which close ones can be proven too; large ones in their own scalar, in which climbs find heights.
 template <SupportTable TableA, SupportTable TableB, class Ask>
 [[nodiscard]] bool ask_kept_simplex(const TableA& a, const TableB& b,
                                     const Transform<ComputeOf<TableA>>& a_from_b, const Ask& ask) {
-    if (is_small(a) && is_small(b)) {
-        KeptSimplex<TableA, TableB, double> kept(a, b, a_from_b);
-        return ask(kept);
+    using Scalar = ComputeOf<TableA>;
+    if constexpr (!std::is_same_v<Scalar, double>) {
+        if (!is_small(a) || !is_small(b)) {
+            KeptSimplex<TableA, TableB, Scalar> kept(a, b, a_from_b);
+            return ask(kept);
+        }
     }
-    KeptSimplex<TableA, TableB, ComputeOf<TableA>> kept(a, b, a_from_b);
+    KeptSimplex<TableA, TableB, double> kept(a, b, a_from_b);
     return ask(kept);
 }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "edgewise/algorithms/query_batch.hpp"
@@ -33,27 +34,18 @@
 
 namespace edgewise {
 
-/// Tells ThreadSanitizer the order of a batch: all its parts run after the caller starts it, and before it
-/// returns. TBB keeps this order, but Debian's libtbb is not instrumented, so the sanitizer cannot see it.
-/// Without the sanitizer it is nothing.
-class BatchOrder {
-  public:
-    void before() { release(&start_); }       ///< by the caller, before any part
-    void part_starts() { acquire(&start_); }  ///< by the thread of the part
-    void part_ends() { release(&end_); }      ///< by the thread of the part
-    void after() { acquire(&end_); }          ///< by the caller, after all parts
-
-  private:
+/// Tells ThreadSanitizer, as acquire_event does, that what precedes the release of an event happens before
+/// what follows its acquisition: Debian's libtbb, which keeps this order, is not instrumented.
+inline void release_event([[maybe_unused]] char* event) {
 #ifdef EDGEWISE_THREAD_SANITIZER
-    static void acquire(char* event) { __tsan_acquire(event); }
-    static void release(char* event) { __tsan_release(event); }
-#else
-    static void acquire(char*) {}
-    static void release(char*) {}
+    __tsan_release(event);
 #endif
-    char start_ = 0;
-    char end_ = 0;
-};
+}
+inline void acquire_event([[maybe_unused]] char* event) {
+#ifdef EDGEWISE_THREAD_SANITIZER
+    __tsan_acquire(event);
+#endif
+}
 
 /// Most queries that a thread takes at once: some hundred, so that the cost of handing them out is
 /// negligible; fewer if a batch is too small for all threads.
@@ -67,25 +59,35 @@ class BatchOrder {
 template <class Table>
 concept ShareableTable = SupportTable<Table> && !queries_write<Table>;
 
+/// Calls ask(first, count) for all parts of that many queries, in all threads of the arena. Not a template,
+/// so that a program compiles TBB's loop once.
+inline void ask_parts(std::size_t queries, tbb::task_arena& arena,
+                      const std::function<void(std::size_t first, std::size_t count)>& ask) {
+    using Range = tbb::blocked_range<std::size_t>;
+    char start = 0, end = 0;  // the parts run after the caller starts them, and before it returns
+    const auto ask_part = [&](const Range& part) {
+        acquire_event(&start);
+        ask(part.begin(), part.size());
+        release_event(&end);
+    };
+    release_event(&start);
+    arena.execute([&] {
+        tbb::parallel_for(Range(0, queries, queries_per_part(queries, arena)), ask_part,
+                          tbb::simple_partitioner());
+    });
+    acquire_event(&end);
+}
+
 /// Runs query_batch in all threads of the arena. For callers with many batches: they keep the arena.
 template <ShareableTable TableA, ShareableTable TableB, class Algorithm = Gjk>
 void query_batch_parallel(PairQueries<TableA, TableB, Algorithm> queries, std::span<Distance> answers,
                           const QueryOptions& options, tbb::task_arena& arena, bool in_lanes = has_lanes()) {
     assert(queries.size() == answers.size());
-    using Range = tbb::blocked_range<std::size_t>;
-    BatchOrder order;
-    const auto ask = [&](const Range& part) {
-        order.part_starts();
-        query_batch<TableA, TableB, Algorithm>(queries.subspan(part.begin(), part.size()),
-                                               answers.subspan(part.begin(), part.size()), options, in_lanes);
-        order.part_ends();
+    const auto ask = [&](std::size_t first, std::size_t count) {
+        query_batch<TableA, TableB, Algorithm>(queries.subspan(first, count), answers.subspan(first, count),
+                                               options, in_lanes);
     };
-    order.before();
-    arena.execute([&] {
-        tbb::parallel_for(Range(0, queries.size(), queries_per_part(queries.size(), arena)), ask,
-                          tbb::simple_partitioner());
-    });
-    order.after();
+    ask_parts(queries.size(), arena, std::ref(ask));  // by reference: nothing is allocated
 }
 
 /// Answers queries[i] in answers[i] in at most `threads` threads, including the caller's; 1 or more. TBB runs

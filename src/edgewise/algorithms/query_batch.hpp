@@ -106,7 +106,7 @@ class GjkBatch final : public SearchSource {
     void take(int lane, const SingleSearchEnd& end) override {
         const auto& [number, a_from_b] = in_lane_[lane];
         const Query& query = queries_[number];
-        answers_[number] = run_gjk_from(end, *query.a, *query.b, a_from_b, *query.pair, options_);
+        run_gjk_from(end, *query.a, *query.b, a_from_b, *query.pair, options_, answers_[number]);
         apply_tolerance(options_, answers_[number]);
     }
 

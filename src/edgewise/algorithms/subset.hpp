@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Subsets of a simplex of at most four points, the point of one of them that is closest to the origin, and
-// the points of both bodies that it stands for.
+// the two points, one of either body, that differ by it.
 #pragma once
 
 #include <algorithm>

@@ -102,18 +102,21 @@ enum class End : std::uint8_t {
 /// Answers by corners of both features; false if that is not proven.
 template <class TableA, class TableB>
 [[nodiscard]] bool try_corners(const Body<TableA>& a, const Body<TableB>& b, Distance& result) {
-    return is_traced<TableA> ? answer_by_corners(a, b, result) : answer_by_corners_inlined(a, b, result);
+    if constexpr (is_traced<TableA>)
+        return answer_by_corners(a, b, result);
+    else
+        return answer_by_corners_inlined(a, b, result);
 }
 
-/// The answer of a run that ended; where it is not trusted, that of its features' corners or the fallback's.
+/// Keeps the answer of a run that ended; where it is not trusted, it becomes that of its features' corners or
+/// the fallback's.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] Distance believed(Distance result, Body<TableA>& a, Body<TableB>& b, Observer& observer,
-                                End end) {
+void believe(Distance& result, Body<TableA>& a, Body<TableB>& b, Observer& observer, End end) {
     // Coordinates with products that overflow give no distance: GJK has the range, and starts cold.
     const bool is_number = std::isfinite(result.distance);
     const bool is_cycle = end == End::cycled;
     const Trust verdict = is_cycle || !is_number ? Trust::doubted : trust(result, a, b, end == End::proven);
-    if (verdict == Trust::sound) return result;
+    if (verdict == Trust::sound) return;
     const bool are_closest = try_corners(a, b, result);
     if (!are_closest) {
         observer.ask_gjk();
@@ -121,7 +124,6 @@ template <class TableA, class TableB, class Observer>
     }
     result.fallbacks = !are_closest && verdict == Trust::doubted;
     result.refinements = verdict == Trust::close || (are_closest && is_cycle);
-    return result;
 }
 
 /// Number of pairs of a query that are tried by their corners before their states. Time of lean_f64 over
@@ -131,16 +133,19 @@ template <class TableA, class TableB, class Observer>
 /// not proven, and its state moves it on.
 inline constexpr int most_proofs = 3;
 
-/// The closest points of the pair that a query has reached after `steps` steps, where the proof is tried and
-/// holds.
+/// Answers with the closest points of the pair that a query has reached after `steps` steps, where the proof
+/// is tried and holds.
 template <class TableA, class TableB>
-[[nodiscard]] Proven<ComputeOf<TableA>> proven_at([[maybe_unused]] bool hardened, [[maybe_unused]] int steps,
-                                                  [[maybe_unused]] const Body<TableA>& a,
-                                                  [[maybe_unused]] const Body<TableB>& b) {
+[[nodiscard]] bool proven_at([[maybe_unused]] bool hardened, [[maybe_unused]] int steps,
+                             [[maybe_unused]] const Body<TableA>& a, [[maybe_unused]] const Body<TableB>& b,
+                             [[maybe_unused]] Distance& result) {
     if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
-        if (hardened && steps <= most_proofs) return still_closest(a, b);
+        if (!hardened || steps > most_proofs) return false;
+        const auto closest = still_closest(a, b);
+        if (closest) result = separated_by(*closest);
+        return closest.has_value();
     }
-    return std::nullopt;
+    return false;
 }
 
 /// Returns true if the pair that a query has reached after `steps` steps is known to overlap: two boxes by a
@@ -167,37 +172,40 @@ template <class TableA, class TableB, class Observer>
                             FirstTry& first) {
     Outlook known = hardened ? start_nearer_if_far(a, b, first) : Outlook{};
     CycleGuard guard(a.feature, b.feature);
+    Distance result;
+    End end = End::reached;
     int steps = 1, escapes = 0;
-    const auto ended = [&](Distance result, bool cycle) {
-        // Search again only after a start that was the end: else a pair at rest would leave its features.
-        if constexpr (are_boxes<TableA, TableB>) known.moved_far &= steps == std::max(known.far_off, 1);
-        first = next_try(result, known.moved_far);
-        result.steps = steps;
-        result.cycles = cycle;
-        result.escapes = escapes;
-        return result;
-    };
     for (;; ++steps) {
         if (steps == known.far_off) {
-            const Start start = start_nearer_on_the_way(a, b);
-            known.moved_far = start == Start::nearer;
-            known.overlaps = start == Start::overlaps;
+            start_nearer_on_the_way(a, b, known);
             guard = CycleGuard(a.feature, b.feature);
         }
         observer.visit(a.feature.kind(), b.feature.kind());
-        if (overlaps_at(known, hardened, steps, a, b)) return ended({.status = Status::overlapping}, false);
-        if (const auto closest = proven_at(hardened, steps, a, b))
-            return ended(believed(separated_by(*closest), a, b, observer, End::proven), false);
+        if (overlaps_at(known, hardened, steps, a, b)) {
+            result.status = Status::overlapping;
+            break;
+        }
+        if (proven_at(hardened, steps, a, b, result)) {
+            end = End::proven;
+            break;
+        }
         const Step last = step(a, b);
         escapes += last == Step::escaped;
-        const bool moved = last == Step::moved || last == Step::escaped;
-        const bool cycle = moved && guard.returns_to(a.feature, b.feature);
-        if (moved && !cycle) continue;
-        const End end = cycle ? End::cycled : End::reached;
-        return ended(
-            hardened ? believed(answer(a, b, last), a, b, observer, end) : raw_answer(a, b, last, cycle),
-            cycle);
+        if (last == Step::moved || last == Step::escaped) {
+            if (!guard.returns_to(a.feature, b.feature)) continue;
+            end = End::cycled;
+        }
+        result = hardened ? answer(a, b, last) : raw_answer(a, b, last, end == End::cycled);
+        break;
     }
+    if (hardened) believe(result, a, b, observer, end);
+    // Search again only after a start that was the end: else a pair at rest would leave its features.
+    if constexpr (are_boxes<TableA, TableB>) known.moved_far &= steps == std::max(known.far_off, 1);
+    first = next_try(result, known.moved_far);
+    result.steps = steps;
+    result.cycles = end == End::cycled;
+    result.escapes = escapes;
+    return result;
 }
 
 /// Answers by the corners of the last features, which had been close; false if they do not hold the closest
@@ -317,13 +325,14 @@ struct VClip {
                                             Run run) {
         const auto& into_a = in_scalar<ComputeOf<TableA>>(a_from_b);
         const auto into_b = into_a.inverse();
+        const bool is_known = pair.belongs_to(a, b);
         const Features<TableA, TableB> start = pair.start(a, b);
         vclip::Body<TableA> body_a{a, into_a, start.a};
         vclip::Body<TableB> body_b{b, into_b, start.b};
         FirstTry first = pair.first_try();
         Distance result = run(body_a, body_b, first);
         const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        const bool is_at_rest = end == start && pair.belongs_to(a, b);
+        const bool is_at_rest = is_known && end == start;
         if (is_at_rest && first == FirstTry::nearer_start) first = FirstTry::walk;
         if (!is_at_rest || first != pair.first_try()) pair = {a, b, end, first};
         apply_tolerance(options, result);

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "edgewise/algorithms/parallel_batch.hpp"
@@ -19,33 +19,48 @@
 
 namespace edgewise::bench {
 
-/// Positions of queries in the workload, by frame.
-[[nodiscard]] inline std::vector<std::vector<std::size_t>> frames_of(const scene::Workload& workload) {
-    std::vector<std::vector<std::size_t>> frames;
-    std::vector<std::size_t> asked(workload.warm ? workload.pair_count : 0, 0);
-    for (std::size_t i = 0; i < workload.queries.size(); ++i) {
-        const std::size_t frame = workload.warm ? asked[workload.queries[i].pair]++ : 0;
-        if (frame == frames.size()) frames.emplace_back();
-        frames[frame].push_back(i);
+/// The order in which batches ask a workload's queries.
+struct FrameOrder {
+    std::vector<std::size_t> numbers;  ///< in the workload, frame by frame
+    std::vector<std::size_t> ends;     ///< of frames, in numbers
+    std::vector<std::size_t> caches;   ///< of the queries' pairs: as many as the first frame has queries
+
+    explicit FrameOrder(const scene::Workload& workload)
+        : numbers(workload.queries.size()), caches(numbers.size()) {
+        const auto pair_of = [&](std::size_t number) {
+            return workload.warm ? workload.queries[number].pair : number;
+        };
+        std::vector<std::size_t> frame(numbers.size()),
+            asked(workload.warm ? workload.pair_count : frame.size()), cache_of(asked.size());
+        for (std::size_t i = 0; i < frame.size(); ++i) frame[i] = asked[pair_of(i)]++;
+        std::iota(numbers.begin(), numbers.end(), 0);
+        std::ranges::stable_sort(numbers, {}, [&](std::size_t i) { return frame[i]; });
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            // Every pair is in the first frame: there a query's place is that of its pair's cache.
+            if (frame[numbers[i]] == 0) cache_of[pair_of(numbers[i])] = i;
+            caches[i] = cache_of[pair_of(numbers[i])];
+            if (i + 1 == numbers.size() || frame[numbers[i + 1]] != frame[numbers[i]]) ends.push_back(i + 1);
+        }
     }
-    return frames;
-}
+};
 
 template <class Algorithm, class Table>
 class FrameBatches final : public ThreadedPass {
   public:
-    using Pair = typename Algorithm::template Pair<Table, Table>;
-
     /// tables: gives a query's two tables, which must stay; the workload need not.
     template <class Tables>
     FrameBatches(const scene::Workload& workload, const QueryOptions& options, const Tables& tables)
-        : options_(options), answers_(workload.queries.size()) {
-        for (const auto& frame : frames_of(workload)) {
-            for (const std::size_t i : frame) add(workload, i, tables(workload.queries[i]));
-            ends_.push_back(queries_.size());
+        : options_(options), order_(workload), answers_(workload.queries.size()) {
+        for (const std::size_t number : order_.numbers) {
+            const scene::Query& query = workload.queries[number];
+            const auto [a, b] = tables(query);
+            queries_.push_back({a, b, relative_pose(query.pose_a, query.pose_b), nullptr});
         }
+        if (queries_.empty()) return;
+        for (std::size_t i = 0; i < order_.ends.front(); ++i)
+            cold_.emplace_back(*queries_[i].a, *queries_[i].b);
         pairs_ = cold_;
-        for (std::size_t i = 0; i < queries_.size(); ++i) queries_[i].pair = &pairs_[slots_[i]];
+        for (std::size_t i = 0; i < queries_.size(); ++i) queries_[i].pair = &pairs_[order_.caches[i]];
     }
 
     void set_back() override { std::copy(cold_.begin(), cold_.end(), pairs_.begin()); }
@@ -53,7 +68,7 @@ class FrameBatches final : public ThreadedPass {
     void run(int threads) override {
         tbb::task_arena arena(threads);
         std::size_t first = 0;
-        for (const std::size_t end : ends_) {
+        for (const std::size_t end : order_.ends) {
             query_batch_parallel<Table, Table, Algorithm>(std::span(queries_).subspan(first, end - first),
                                                           std::span(answers_).subspan(first, end - first),
                                                           options_, arena);
@@ -63,40 +78,17 @@ class FrameBatches final : public ThreadedPass {
 
     [[nodiscard]] double sum() const override {
         std::vector<double> distances(answers_.size());
-        for (std::size_t i = 0; i < answers_.size(); ++i) distances[numbers_[i]] = answers_[i].distance;
-        double sum = 0;
-        for (const double distance : distances) sum += distance;
-        return sum;
+        for (std::size_t i = 0; i < answers_.size(); ++i) distances[order_.numbers[i]] = answers_[i].distance;
+        return std::accumulate(distances.begin(), distances.end(), 0.0);
     }
 
-    [[nodiscard]] std::size_t frames() const override { return ends_.size(); }
+    [[nodiscard]] std::size_t frames() const override { return order_.ends.size(); }
 
   private:
-    /// A pair's first query makes its cache: caches lie in the order in which the first frame asks them.
-    void add(const scene::Workload& workload, std::size_t number,
-             const std::pair<const Table*, const Table*>& tables) {
-        const scene::Query& query = workload.queries[number];
-        const auto [a, b] = tables;
-        const std::size_t pair = workload.warm ? query.pair : number;
-        if (slot_of_.size() <= pair) slot_of_.resize(pair + 1, no_slot);
-        if (slot_of_[pair] == no_slot) {
-            slot_of_[pair] = cold_.size();
-            cold_.emplace_back(*a, *b);
-        }
-        slots_.push_back(slot_of_[pair]);
-        numbers_.push_back(number);
-        queries_.push_back({a, b, relative_pose(query.pose_a, query.pose_b), nullptr});
-    }
-
-    static constexpr std::size_t no_slot = SIZE_MAX;
-
     QueryOptions options_;
-    std::vector<std::size_t> slot_of_;  ///< by the workload's pairs
-    std::vector<std::size_t> slots_,
-        numbers_;                    ///< by query here: its pair's cache, its number in the workload
-    std::vector<std::size_t> ends_;  ///< of frames, in queries_
+    FrameOrder order_;
     std::vector<PairQuery<Table, Table, Algorithm>> queries_;
-    std::vector<Pair> cold_, pairs_;
+    std::vector<typename Algorithm::template Pair<Table, Table>> cold_, pairs_;
     std::vector<Distance> answers_;
 };
 

@@ -73,11 +73,14 @@ TEST(FrameBatches, AskNoPairTwiceInAFrameAndEachInItsOrder) {
     for (const FramedScene& scene : framed_scenes) {
         const studies::SingleCell cell = framed_cell(scene, "lean_f64", "gjk");
         const scene::Workload& workload = cell.workload();
+        const FrameOrder order(workload);
         std::vector<std::size_t> last(workload.pair_count, 0);
         std::set<std::size_t> asked;
-        for (const auto& frame : frames_of(workload)) {
+        std::size_t first = 0;
+        for (const std::size_t end : order.ends) {
             std::set<std::uint32_t> pairs;
-            for (const std::size_t i : frame) {
+            for (; first < end; ++first) {
+                const std::size_t i = order.numbers[first];
                 EXPECT_TRUE(asked.insert(i).second);
                 if (!workload.warm) continue;
                 const std::uint32_t pair = workload.queries[i].pair;

@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include "edgewise/algorithms/support.hpp"
+#include "edgewise/geometry/inlining.hpp"
 #include "edgewise/geometry/pose.hpp"
 #include "edgewise/geometry/vec.hpp"
 #include "edgewise/table/contract.hpp"
@@ -86,7 +87,7 @@ void run_lane_searches(SearchSource& source);
 
 /// Writes a table's vertices, less the first, times `scale`.
 template <NumberedTable Table>
-void write_singles(const Table& table, ComputeOf<Table> scale, SingleVertices& to) {
+EDGEWISE_QUERY_LOOP void write_singles(const Table& table, ComputeOf<Table> scale, SingleVertices& to) {
     using Vertex = typename Table::Vertex;
     const std::size_t count = table.vertex_count();
     assert(count >= 1 && count <= SingleVertices::most);
@@ -127,6 +128,16 @@ void write_search(const TableA& a, const TableB& b, const Transform<ComputeOf<Ta
     to.translation = cast<float>(Vec3<Scalar>(between * scale));
     to.towards_b = cast<float>(Vec3<Scalar>(a_from_b.translation * scale));
     to.cutoff = static_cast<float>(cutoff * scale);
+}
+
+/// Writes a search and runs it. Not inlined: its arrays are not on the stack of a query that needs none.
+template <NumberedTable TableA, NumberedTable TableB>
+[[nodiscard]] [[gnu::noinline]] SingleSearchEnd search_in_singles(
+    const TableA& a, const TableB& b, const Transform<ComputeOf<TableA>>& a_from_b,
+    ComputeOf<TableA> cutoff) {
+    SingleSearch search;
+    write_search(a, b, a_from_b, cutoff, search);
+    return run_single_search(search);
 }
 
 }  // namespace edgewise

@@ -137,12 +137,13 @@ template <class TableA, class TableB>
     return {1 + (are_boxes<TableA, TableB> ? steps_before_search_of_boxes : steps_before_search)};
 }
 
-/// A run that has moved far looks for a nearer start where its walk would be long. None: it is at the
-/// nearest.
+/// Looks for a nearer start of a run that has moved far, where its walk would be long.
 template <class TableA, class TableB>
-[[nodiscard]] Start start_nearer_on_the_way(Body<TableA>& a, Body<TableB>& b) {
+void start_nearer_on_the_way(Body<TableA>& a, Body<TableB>& b, Outlook& known) {
     const bool is_short = std::min(a.table.vertex_count(), b.table.vertex_count()) <= most_walked;
-    return is_short && !are_boxes<TableA, TableB> ? Start::nearer : start_nearer(a, b);
+    const Start start = is_short && !are_boxes<TableA, TableB> ? Start::nearer : start_nearer(a, b);
+    known.moved_far = start == Start::nearer;
+    known.overlaps = start == Start::overlaps;
 }
 
 }  // namespace edgewise::vclip
