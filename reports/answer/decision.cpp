@@ -166,7 +166,7 @@ std::string taken_by_most(const std::vector<DecisionRow>& rows, DecisionColumn c
         for (const auto& [take, count] : counts) {
             whom = count == rows.size()      ? ""
                    : 2 * count > rows.size() ? " for most bodies"
-                                             : " for most bodies of which something is recommended";
+                                             : " for most bodies with a recommendation";
             if (2 * count > taking) return take;
         }
     }

@@ -72,6 +72,17 @@ TEST(CampaignCommand, ThatComparedNothingSaysSo) {
     EXPECT_THAT(some.out, HasSubstr("0 wrong"));
 }
 
+TEST(CampaignCommand, TakesAMeshFileOfAnyName) {
+    const Folder folder;
+    const std::string no_utf_8 = "\xff.obj";
+    folder.write(no_utf_8, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+    const Outcome outcome = run({"campaign", "--families", "random", "--shapes", no_utf_8, "--layouts",
+                                 "aos_f64", "--pairs", "100", "--state", "s.json"},
+                                folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("0 wrong"));
+}
+
 TEST(CampaignCommand, GoesOnAfterASignalWithTheSameFigures) {
     const Folder folder, other;
     const Arguments asked = small({"--pairs", "2e5"});

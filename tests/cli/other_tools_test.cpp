@@ -60,6 +60,8 @@ TEST(CiFormats, AreOfLocksAndOfComparedRecords) {
     EXPECT_TRUE(cells["lean"]["lines_per_query.cold"]["value"].is_number());
     EXPECT_THAT(run({"compare", "lean.lock.json", "lean.lock.json", "--format", "junit"}, folder).out,
                 HasSubstr("failures=\"0\""));
+    EXPECT_THAT(run({"compare", "lean.lock.json", "lean.lock.json", "--slack", "0.2"}, folder).err,
+                HasSubstr("--slack is of times, and lean.lock.json has none: leave it out"));
     EXPECT_EQ(
         run({"compare", records_folder + std::string("/zen3.json"), "--format", "junit"}, folder).exit_code,
         2);

@@ -351,14 +351,6 @@ Evidence value_of(const ClaimFile& expression, const Scope& scope) {
     return operations.at(word(expression, 0))(expression, scope);
 }
 
-WantedBand band_of(const ClaimFile& part) {
-    constexpr std::pair<const char*, WantedBand (*)(double)> bands[] = {
-        {"at least", at_least}, {"at most", at_most}, {"more than", more_than}, {"less than", less_than}};
-    for (const auto& [name, band] : bands)
-        if (part.contains(name)) return band(part[name]);
-    return part.contains("between") ? between(part["between"][0], part["between"][1]) : only_shown();
-}
-
 PartList parts_of(const ClaimFile& parts, const Scope& scope) {
     PartList all;
     for (const ClaimFile& part : expanded(parts))
@@ -371,7 +363,7 @@ Claim judged(const ClaimFile& claim, const ReportData& data) {
     static const ClaimFile nothing = ClaimFile::object();
     const ClaimFile& names = claim.contains("with") ? claim["with"] : nothing;
     const ClaimFile &parts = claim.at("parts"), by = claim.value("depends on", ClaimFile());
-    if (by.is_null()) return judge_claim(claim["id"], parts_of(parts, {data, names}));
+    if (by.is_null()) return judge_claim(claim_of(claim), parts_of(parts, {data, names}));
     std::vector<ClaimVariant> variants;
     if (by == "time step")
         for (const TimeStepReading& reading : {reading_60th, reading_half})
@@ -379,7 +371,7 @@ Claim judged(const ClaimFile& claim, const ReportData& data) {
     else
         for (const ClaimFile& variant : expanded({{{"each", by["each"]}, {"name", "{0}"}, {"is", parts}}}))
             variants.push_back({variant["name"], parts_of(variant["is"], {data, names})});
-    return judge_variants(claim["id"], by.is_string() ? by : by["what"], variants);
+    return judge_variants(claim_of(claim), by.is_string() ? by : by["what"], variants);
 }
 
 }  // namespace

@@ -10,11 +10,10 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "edgewise/reports/tables/formatting.hpp"
-#include "edgewise/reports/text/report_text.hpp"
 
 namespace edgewise::reports {
 
@@ -104,13 +103,6 @@ std::string evidence_text(const Evidence& evidence, const std::string& unit) {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Whole numbers with all their digits, others with six.
-std::string bound_text(double bound) {
-    return bound == std::floor(bound) ? fmt::format("{:.0f}", bound) : fmt::format("{:g}", bound);
-}
-
 std::string value_text(const Claim& text, const ClaimPart& part) {
     return fmt::format("{} {}", part.label,
                        evidence_text(part.ours, part.unit.empty() ? text.unit : part.unit));
@@ -155,27 +147,14 @@ std::string wanted_text(const std::vector<ClaimPart>& parts) {
 }
 
 /// A text in one line or in several.
-std::string joined_lines(const nlohmann::json& text) {
+std::string joined_lines(const nlohmann::ordered_json& text) {
     if (text.is_string()) return text;
     return fmt::format("{}", fmt::join(text.get<std::vector<std::string>>(), " "));
 }
 
-std::map<std::string, Claim> read_claims() {
-    std::map<std::string, Claim> claims;
-    for (const auto& entry : nlohmann::json::parse(report_text("claims.json"))) {
-        Claim& claim = claims[entry["id"]];
-        claim.id = entry["id"];
-        claim.kind = entry["kind"];
-        claim.section = entry["section"];
-        claim.claim = joined_lines(entry["claim"]);
-        claim.paper = entry["paper"];
-        claim.unit = entry["unit"];
-        claim.rule = joined_lines(entry["rule"]);
-        claim.deterministic = entry["deterministic"];
-        if (entry.contains("not_identifiable"))
-            claim.not_identifiable = joined_lines(entry["not_identifiable"]);
-    }
-    return claims;
+/// Whole numbers with all their digits, others with six.
+std::string bound_text(double bound) {
+    return bound == std::floor(bound) ? fmt::format("{:.0f}", bound) : fmt::format("{:g}", bound);
 }
 
 void take_verdict(const Findings& findings, Claim& claim) {
@@ -198,22 +177,41 @@ void take_verdict(const Findings& findings, Claim& claim) {
 
 }  // namespace
 
-WantedBand at_least(double bound) { return {bound, infinity, "at least " + bound_text(bound)}; }
-WantedBand at_most(double bound) { return {-infinity, bound, "at most " + bound_text(bound)}; }
-WantedBand more_than(double bound) {
-    return {std::nextafter(bound, infinity), infinity, "more than " + bound_text(bound)};
+Claim claim_of(const nlohmann::ordered_json& entry) {
+    return {
+        .id = entry["id"],
+        .kind = entry["kind"],
+        .section = entry["section"],
+        .claim = joined_lines(entry["claim"]),
+        .paper = entry["paper"],
+        .unit = entry["unit"],
+        .not_identifiable = entry.contains("not_identifiable") ? joined_lines(entry["not_identifiable"]) : "",
+        .rule = joined_lines(entry["rule"]),
+        .deterministic = entry["deterministic"]};
 }
-WantedBand less_than(double bound) {
-    return {-infinity, std::nextafter(bound, -infinity), "less than " + bound_text(bound)};
-}
-WantedBand between(double low, double high) {
+
+WantedBand band_of(const nlohmann::ordered_json& part) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // Name, whether it bounds from below, and whether the bound itself is outside.
+    constexpr std::tuple<const char*, bool, bool> bounds[] = {{"at least", true, false},
+                                                              {"more than", true, true},
+                                                              {"at most", false, false},
+                                                              {"less than", false, true}};
+    WantedBand band{-infinity, infinity, ""};
+    for (const auto& [name, is_low, is_open] : bounds) {
+        if (!part.contains(name)) continue;
+        const double bound = part[name];
+        (is_low ? band.low : band.high) =
+            is_open ? std::nextafter(bound, is_low ? infinity : -infinity) : bound;
+        band.description = fmt::format("{} {}", name, bound_text(bound));
+        return band;
+    }
+    if (!part.contains("between")) return band;
+    const double low = part["between"][0], high = part["between"][1];
     return {low, high, fmt::format("between {} and {}", bound_text(low), bound_text(high))};
 }
-WantedBand only_shown() { return {-infinity, infinity, ""}; }
 
-Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
-    static const std::map<std::string, Claim> texts = read_claims();
-    Claim claim = texts.at(id);
+Claim judge_claim(Claim claim, const std::vector<ClaimPart>& parts) {
     Findings findings;
     for (const ClaimPart& part : parts) {
         findings.add(claim, part);
@@ -224,11 +222,11 @@ Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts) {
     return claim;
 }
 
-Claim judge_variants(const std::string& id, const std::string& assumption,
+Claim judge_variants(const Claim& text, const std::string& assumption,
                      const std::vector<ClaimVariant>& variants) {
     assert(!variants.empty());
     std::vector<Claim> claims;
-    for (const ClaimVariant& variant : variants) claims.push_back(judge_claim(id, variant.parts));
+    for (const ClaimVariant& variant : variants) claims.push_back(judge_claim(text, variant.parts));
     Claim claim = claims.front();
     claim.rule += fmt::format(" Whatever the {}.", assumption);
     claim.ours.clear();

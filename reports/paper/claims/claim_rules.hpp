@@ -8,6 +8,7 @@
 // both errors met at their worst.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,12 +54,8 @@ struct WantedBand {
     std::string description;  ///< empty: nothing is wanted, the number is only shown
 };
 
-[[nodiscard]] WantedBand at_least(double bound);
-[[nodiscard]] WantedBand at_most(double bound);
-[[nodiscard]] WantedBand more_than(double bound);
-[[nodiscard]] WantedBand less_than(double bound);
-[[nodiscard]] WantedBand between(double low, double high);
-[[nodiscard]] WantedBand only_shown();
+/// Reads the band of a claim's part; a part without one is only shown.
+[[nodiscard]] WantedBand band_of(const nlohmann::ordered_json& part);
 
 struct ClaimPart {
     std::string label;
@@ -67,9 +64,11 @@ struct ClaimPart {
     std::string unit = {};  ///< the claim's where empty
 };
 
-/// The claim's entry in claims.json, with the verdict that its parts give. Throws std::out_of_range when
-/// there is no such entry.
-[[nodiscard]] Claim judge_claim(const std::string& id, const std::vector<ClaimPart>& parts);
+/// Reads an entry of claims.json: a claim without a verdict.
+[[nodiscard]] Claim claim_of(const nlohmann::ordered_json& entry);
+
+/// Returns the claim with the verdict that its parts give.
+[[nodiscard]] Claim judge_claim(Claim claim, const std::vector<ClaimPart>& parts);
 
 /// The paper gives speeds in radians per second and no time step. One turn per step is its fastest test ("up
 /// to 2 pi rad in a discrete time step"), figure 6 ends at 12.57 = 4 pi rad/s: then a step is 1/2 s. A
@@ -90,7 +89,7 @@ struct ClaimVariant {
 };
 /// The verdict that all variants share; not measured, or else inconclusive, where one of them is; "depends
 /// on: ASSUMPTION" where they decide otherwise. There must be some.
-[[nodiscard]] Claim judge_variants(const std::string& id, const std::string& assumption,
+[[nodiscard]] Claim judge_variants(const Claim& text, const std::string& assumption,
                                    const std::vector<ClaimVariant>& variants);
 
 }  // namespace edgewise::reports

@@ -19,19 +19,19 @@ namespace edgewise::reports {
 /// part misses it with its whole interval. "depends on: time step": two readings of the paper differ.
 /// "inconclusive": an interval straddles the rule. "not measured": some part is missing, and none refutes.
 struct Claim {
-    std::string id;       ///< "bytes_per_edge_double"
-    std::string kind;     ///< "primary" finding, "mechanism" that explains one, or "background"
-    std::string section;  ///< of the paper
-    std::string claim;    ///< what it says, in our words
-    std::string paper;    ///< its figure
-    std::string ours;     ///< values, each with its 95 % interval in brackets where there is one
-    std::string unit;     ///< of the values that bear no other; "1": a ratio or a share
-    std::string verdict;
-    std::string reason;            ///< of every verdict but "reproduced"
-    std::string conditions;        ///< where the verdict holds: seeds, and the machine where times decide
-    std::string not_identifiable;  ///< what else would meet the rule; empty: nothing that we know of
-    std::string rule;              ///< in words, with what is wanted of each part
-    bool deterministic = false;    ///< the evidence depends on no time and on no kernel: same in every run
+    std::string id;         ///< "bytes_per_edge_double"
+    std::string kind;       ///< "primary" finding, "mechanism" that explains one, or "background"
+    std::string section;    ///< of the paper
+    std::string claim;      ///< what it says, in our words
+    std::string paper;      ///< its figure
+    std::string ours = {};  ///< values, each with its 95 % interval in brackets where there is one
+    std::string unit;       ///< of the values that bear no other; "1": a ratio or a share
+    std::string verdict = {};
+    std::string reason = {};      ///< of every verdict but "reproduced"
+    std::string conditions = {};  ///< where the verdict holds: seeds, and the machine where times decide
+    std::string not_identifiable = {};  ///< what else would meet the rule; empty: nothing that we know of
+    std::string rule;                   ///< in words, with what is wanted of each part
+    bool deterministic = false;  ///< the evidence depends on no time and on no kernel: same in every run
 };
 
 /// All claims: primary findings, then mechanisms, then background, each in the order of the paper's criteria;

@@ -101,10 +101,11 @@ LockArguments options_of(const measure::FigureRecord& lock, const std::string& f
     LockArguments options;
     options.cell.table = lock.condition("table", file);
     options.cell.algorithm = lock.condition("algorithm", file);
-    options.cell.shape = lock.condition("shape", file);
     options.cell.as_stored = std::ranges::find(lock.of, stored_condition,
                                                &std::pair<std::string, std::string>::first) != lock.of.end();
     options.cell.scene = lock.condition("scene", file);
+    const std::string& shape = lock.condition("shape", file);
+    if (!scene::names_recording(options.cell.scene)) options.cell.shape = shape;
     options.cell.queries = number_in(lock, "queries", file);
     options.cell.seed = number_in(lock, "seed", file);
     for (const std::string& text : CLI::detail::split(lock.condition("parameters", file), ','))
@@ -173,8 +174,6 @@ int check_lock(const LockArguments& options, bool json) {
 
 int run_lock(const LockArguments& options, bool json) {
     if (!options.check.empty()) return check_lock(options, json);
-    if (scene::names_recording(options.cell.scene) && options.cell.shape != studies::CellChoice{}.shape)
-        throw std::invalid_argument("a recording has bodies of its own: leave --shape out");
     const measure::FigureRecord lock = lock_of(options);
     const std::string text = measure::to_json(lock);
     static_cast<void>(measure::parse_record(text, "--limit"));  // refuses a limit of no figure

@@ -99,7 +99,7 @@ bool narrowed(const SweepArguments& options) { return !options.scenes.empty() ||
 /// What would be left unused in silence.
 void refuse_unused(const SweepArguments& options) {
     if (options.each_mesh && std::ranges::none_of(options.shapes, scene::names_mesh_file))
-        throw std::invalid_argument("--each-mesh is of mesh files: name some with --shape, or leave it out");
+        throw std::invalid_argument("--each-mesh is for mesh files: name some with --shape, or leave it out");
     if (std::ranges::none_of(options.scenes, scene::is_scene_file))
         scene::refuse_as_stored_without_mesh(options.as_stored, options.shapes);
     const bool some_caches = options.plan != "quick" || !options.caches.empty() || !narrowed(options);

@@ -88,8 +88,7 @@ Result<Polyhedron> polyhedron_from_faces(std::span<const Vec3d> points, Faces fa
     if (!violations.empty()) {
         if (check_polyhedron(*body, single_planarity).empty()) {
             Result<Polyhedron> hull = hull_of_bent(*body);
-            if (const std::string unused = unused_warning(points, faces); hull && !unused.empty())
-                hull.warning += "; " + unused;
+            if (hull) add_warning(hull.warning, unused_warning(points, faces));
             return hull;
         }
         return Result<Polyhedron>::failure("the faces do not bound a convex solid: " + violations.front() +

@@ -41,7 +41,7 @@ namespace edgewise {
 [[nodiscard]] Result<Polyhedron> hull_of_moved(const Polyhedron& body, std::span<const Vec3d> moved,
                                                const char* where);
 
-/// Empty, or why single precision has no room for the body, and what to do.
+/// Empty; else which coordinate of the body is too large for single precision, and what to do.
 [[nodiscard]] std::string single_range_error(const Polyhedron& body);
 
 /// The body that a table with single-precision storage really holds: the hull of the rounded vertices, with

@@ -29,6 +29,12 @@ template <class... Parts>
     return (std::string() + ... + message_part(parts));
 }
 
+/// Adds a warning, unless it is empty, to those before it.
+inline void add_warning(std::string& warnings, std::string_view warning) {
+    if (!warnings.empty() && !warning.empty()) warnings += "; ";
+    warnings += warning;
+}
+
 /// Formats a number for reading only, in a few significant digits.
 [[nodiscard]] inline std::string rounded(double value, int significant = 2) {
     char digits[32];

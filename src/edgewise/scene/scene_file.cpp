@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "edgewise/geometry/message.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
@@ -167,7 +168,7 @@ std::vector<NamedShape> shapes_of(const Json& json, const SceneFileContext& cont
         auto shape = named_shape(names_mesh_file(name) ? (context.folder / name).string() : name,
                                  {.as_stored = context.as_stored});
         if (!shape) throw JsonFault{"shapes: " + shape.error};
-        if (!shape.warning.empty()) warning += (warning.empty() ? "" : "; ") + shape.warning;
+        add_warning(warning, shape.warning);
         shapes.push_back(*std::move(shape));
     }
     if (shapes.empty()) throw JsonFault{"shapes needs at least one name"};

@@ -45,10 +45,10 @@ bench::RunnerOptions options_of(const CellChoice& choice, const bench::TableOpti
 }
 
 scene::NamedShape shape_of(const CellChoice& choice) {
-    if (choice.body) return *choice.body;
     const bool is_recorded = scene::names_recording(choice.scene);
     if (is_recorded && choice.shape != CellChoice{}.shape)
         throw std::invalid_argument("a recording has bodies of its own: leave --shape out");
+    if (choice.body) return *choice.body;
     if (!is_recorded) scene::refuse_as_stored_without_mesh(choice.as_stored, {&choice.shape, 1});
     auto shape = scene::named_shape(choice.shape, {.as_stored = choice.as_stored});
     if (!shape.warning.empty() && choice.warn) choice.warn(shape.warning);

@@ -196,6 +196,8 @@ TEST(FromFaces, RefusesBrokenSurfaces) {
 
     expect_refused(cube_points, {}, "0 faces");
     EXPECT_EQ(build_polyhedron({}).error, "there are no faces");
+    const FaceRings loose{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 3}, {{0, 1, 2}, {0, 2, 1}}};
+    EXPECT_TRUE(build_polyhedron(loose).error.starts_with("vertex 3 has only 0 faces around it"));
     expect_refused(box_points(Vec3d(1, 1, 0)), box_faces(), "flat");
 }
 

@@ -144,6 +144,12 @@ TEST(SceneCaches, CountLinesPagesAndBytes) {
     EXPECT_EQ(caches.steady()[0].all.tlbs[0].misses.compulsory, 3U);
     EXPECT_EQ(caches.steady()[0].all.caches[0].accesses, 7U);
     EXPECT_EQ(caches.steady()[0].all.fetched.bytes, 5 * 64U);
+    caches.on_access(read_of(16384, 8));
+    EXPECT_EQ(caches.lines().in_frames, 5U) << "a frame that has not ended does not count";
+    caches.start_steady();
+    caches.on_access(read_of(16384, 8));
+    caches.on_frame_end();
+    EXPECT_EQ(caches.lines().in_frames, 1U) << "nor does it in the steady pass";
 }
 
 /// Four lines of one way each: a cold query brings in what a warm one then finds, and the other way round.

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -205,8 +206,8 @@ TEST(Claims, OfOneAverageAreJudgedBodyByBody) {
 /// An undecided part decides, whatever the others say.
 TEST(Claims, OfVariantsAreAsUndecidedAsTheLeastDecided) {
     const auto judged = [](const Evidence& first, const Evidence& second) {
-        const WantedBand wanted = more_than(1);
-        return judge_variants("static_gjk_faster", "body",
+        const WantedBand wanted{std::nextafter(1.0, 2.0), 1e9, "more than 1"};
+        return judge_variants({}, "body",
                               {{"one", {{"ratio", first, wanted}}}, {"two", {{"ratio", second, wanted}}}})
             .verdict;
     };

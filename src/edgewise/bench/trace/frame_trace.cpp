@@ -32,7 +32,7 @@ struct TracedTouches {
 
 void FrameTrace::before(std::size_t query) {
     for (; next_ < workload_.frames.size() && workload_.frames[next_].first_query <= query; ++next_) {
-        end();
+        end_before(query);
         static_cast<void>(run(workload_.frames[next_]));
     }
 }

@@ -20,9 +20,11 @@ class FrameTrace {
 
     /// Call before each query, in order.
     void before(std::size_t query);
-    /// Call after the last frame.
-    void end() const {
-        if (next_ > 0) listener_.on_frame_end();
+    /// Call after the last query that is followed; `query`: the next one. A frame that is cut does not end.
+    void end_before(std::size_t query) const {
+        const bool is_last = next_ == workload_.frames.size();
+        const std::size_t end = is_last ? workload_.queries.size() : workload_.frames[next_].first_query;
+        if (next_ > 0 && query >= end) listener_.on_frame_end();
     }
     /// Frames in order. Their boxes are written first, as whoever moved the bodies does. Returns how many
     /// pairs were near.

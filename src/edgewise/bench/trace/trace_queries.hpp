@@ -128,9 +128,9 @@ PassSum trace_queries(const scene::Workload& workload, const TraceExtent& extent
     std::unordered_map<std::uint32_t, std::unique_ptr<TracedPair<Algorithm, TracedTable>>> pairs;
     FrameTrace frames(workload, places, listener);
     const std::size_t least = extent.end_of_steps(workload);
-    std::size_t counted = 0;
+    std::size_t counted = 0, i = 0;
     PassSum sum;
-    for (std::size_t i = 0; i < cold.size() && (counted < extent.counted || i < least); ++i) {
+    for (; i < cold.size() && (counted < extent.counted || i < least); ++i) {
         const scene::Query& query = workload.queries[i];
         frames.before(i);
         if (query.pair % extent.pair_stride != 0) continue;
@@ -148,7 +148,7 @@ PassSum trace_queries(const scene::Workload& workload, const TraceExtent& extent
         listener.on_query_end(!cold[i]);
         counted += !cold[i];
     }
-    frames.end();
+    frames.end_before(i);
     return sum;
 }
 

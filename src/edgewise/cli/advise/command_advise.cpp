@@ -217,7 +217,7 @@ void take_scene_file(const AdviseArguments& options, studies::advise::CaseAsked&
         throw std::invalid_argument("--scene " + options.scene +
                                     ": for a mesh write --shape FILE, --bodies and --turn");
     } else if (options.as_stored) {
-        throw std::invalid_argument("--as-stored is of mesh files: this scene has none, so leave it out");
+        throw std::invalid_argument("--as-stored is for mesh files: this scene has none, so leave it out");
     }
     asked.scene = {
         .name = scene.kind, .parameters = scene.points.front().parameters, .recording = scene.recording};

@@ -35,6 +35,7 @@ struct SceneCaches::Stack {
     ReuseDistance reuse;            ///< its curve is of all accesses
     ByStart<MissCurve> own_curves;  ///< of queries by their start
     DistinctUnits of_queries, with_scene, of_frames;
+    std::uint64_t in_frames = 0;  ///< the sum of of_frames when the last frame ended
 
     std::uint64_t use(std::uint64_t number, TraceSide side, std::optional<QueryStart> start, bool framed) {
         if (framed) of_frames.touch(number, {});
@@ -50,6 +51,8 @@ struct SceneCaches::Stack {
         reuse.forget_curve();
         own_curves = {};
         of_queries.sum = with_scene.sum = of_frames.sum = {};
+        ++of_frames.stretch;  // the last frame may have been cut
+        in_frames = 0;
     }
 };
 
@@ -201,7 +204,10 @@ void SceneCaches::on_query_end(bool /*counts*/) {
 
 void SceneCaches::on_frame_end() {
     ++frames_;
-    for (auto& [unit, stack] : stacks_) ++stack.of_frames.stretch;
+    for (auto& [unit, stack] : stacks_) {
+        ++stack.of_frames.stretch;
+        stack.in_frames = stack.of_frames.sum.all;
+    }
 }
 
 void SceneCaches::start_steady() {
@@ -225,7 +231,7 @@ ReuseOf SceneCaches::reuse_of(std::uint32_t unit) const {
             stack.of_queries.ever(),
             stack.of_queries.sum,
             stack.with_scene.sum,
-            stack.of_frames.sum.all,
+            stack.in_frames,
             {stack.reuse.curve(), stack.own_curves.cold, stack.own_curves.warm}};
 }
 

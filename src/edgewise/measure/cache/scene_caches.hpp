@@ -81,7 +81,7 @@ class SceneCaches final : public TraceListener {
 
     /// Queries of a pass.
     [[nodiscard]] const ByStart<std::uint64_t>& queries() const { return queries_; }
-    /// Frames of a pass; 0 where the scene is not asked frame after frame.
+    /// Whole frames of a pass; 0 where the scene is not asked frame after frame.
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
     /// Return the misses of the first and of the second pass, in the order of the machines.
     [[nodiscard]] const std::vector<MachineMisses>& first() const { return first_; }

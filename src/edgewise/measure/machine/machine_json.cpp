@@ -13,27 +13,27 @@ namespace {
 
 using nlohmann::json;
 
-/// Makes the target an object and gives what writes a fact into it.
-auto fact_writer(json& target, json& reasons, const std::string& prefix) {
-    target = json::object();
-    return [&target, &reasons, prefix](const char* key, const auto& fact) {
+/// Writes facts into an object: keys and facts in turn.
+struct FactWriter {
+    json &target, &reasons;
+    std::string prefix;
+
+    template <class Fact, class... More>
+    void put(const char* key, const Fact& fact, const More&... more) const {
         target[key] = fact.value ? json(*fact.value) : json(nullptr);
         if (!fact.value) reasons[prefix + key] = fact.reason;
-    };
-}
+        if constexpr (sizeof...(more) > 0) put(more...);
+    }
+};
 
 json cpu_json(const Cpu& cpu, json& reasons) {
-    json result;
-    const auto put = fact_writer(result, reasons, "cpu.");
-    put("vendor", cpu.vendor);
-    put("name", cpu.name);
-    put("family", cpu.family);
-    put("model", cpu.model);
-    put("stepping", cpu.stepping);
-    put("cores", cpu.cores);
-    put("threads", cpu.threads > 0 ? Expected<std::int64_t>{cpu.threads}
-                                   : Expected<std::int64_t>::none("/proc/cpuinfo names no processor"));
-    result["vector_extensions"] = cpu.vector_extensions;
+    json result = {{"vector_extensions", cpu.vector_extensions}};
+    using Number = Expected<std::int64_t>;
+    const auto threads =
+        cpu.threads > 0 ? Number{cpu.threads} : Number::none("/proc/cpuinfo names no processor");
+    FactWriter{result, reasons, "cpu."}.put("vendor", cpu.vendor, "name", cpu.name, "family", cpu.family,
+                                            "model", cpu.model, "stepping", cpu.stepping, "cores", cpu.cores,
+                                            "threads", threads);
     return result;
 }
 
@@ -41,14 +41,9 @@ json caches_json(const std::vector<Cache>& caches, json& reasons) {
     json result = json::array();
     for (const Cache& cache : caches) {
         json row;
-        const auto put = fact_writer(row, reasons, fmt::format("caches[{}].", result.size()));
-        put("level", cache.level);
-        put("type", cache.type);
-        put("bytes", cache.bytes);
-        put("ways", cache.ways);
-        put("line_bytes", cache.line_bytes);
-        put("sets", cache.sets);
-        put("shared_cpus", cache.shared_cpus);
+        FactWriter{row, reasons, fmt::format("caches[{}].", result.size())}.put(
+            "level", cache.level, "type", cache.type, "bytes", cache.bytes, "ways", cache.ways, "line_bytes",
+            cache.line_bytes, "sets", cache.sets, "shared_cpus", cache.shared_cpus);
         result.push_back(std::move(row));
     }
     return result;
@@ -114,24 +109,18 @@ json machine_json() {
 json machine_json(const Machine& machine, const std::vector<CounterRecord>& counters) {
     json result;
     json reasons = json::object();
-    const auto put = fact_writer(result, reasons, "");
     result["cpu"] = cpu_json(machine.cpu, reasons);
     const auto kinds = machine.cores.value.value_or(std::vector<CoreKind>());
     result["cores"] = cores_json(kinds);
     result["caches"] = caches_json(kinds.empty() ? std::vector<Cache>() : kinds.front().caches, reasons);
     result["binding"] = kinds.empty() ? json(nullptr) : json(binding_advice(kinds));
     if (kinds.empty()) reasons["caches"] = reasons["binding"] = machine.cores.reason;
-    put("page_bytes", machine.page_bytes);
-    put("memory_bytes", machine.memory_bytes);
-    put("kernel", machine.kernel);
-    put("hypervisor", machine.cpu.hypervisor);
-    put("clock_source", machine.clock_source);
-    put("governor", machine.governor);
-    put("turbo", machine.turbo);
-    put("aslr", machine.aslr);
-    put("aslr_this_process", machine.aslr_this_process);
-    put("transparent_huge_pages", machine.transparent_huge_pages);
-    put("perf_event_paranoid", machine.perf_event_paranoid);
+    FactWriter{result, reasons, ""}.put(
+        "page_bytes", machine.page_bytes, "memory_bytes", machine.memory_bytes, "kernel", machine.kernel,
+        "hypervisor", machine.cpu.hypervisor, "clock_source", machine.clock_source, "governor",
+        machine.governor, "turbo", machine.turbo, "aslr", machine.aslr, "aslr_this_process",
+        machine.aslr_this_process, "transparent_huge_pages", machine.transparent_huge_pages,
+        "perf_event_paranoid", machine.perf_event_paranoid);
     result["counters"] = json::array();
     for (const CounterRecord& record : counters) result["counters"].push_back(counter_json(record));
     result["counted_over"] = reference_work;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "edgewise/geometry/message.hpp"
 #include "edgewise/scene/kinds/scene_setup.hpp"
 #include "edgewise/scene/recording.hpp"
 
@@ -154,7 +155,7 @@ Result<Workload> recorded_workload(const Recording& recording, const SceneParame
     if (workload.queries.empty())
         return Result<Workload>::failure(fmt::format(
             "recording {}: no pair is near in {} steps; raise margin", recording.name, steps.size()));
-    note += (note.empty() || kept.empty() ? "" : "; ") + kept;
+    add_warning(note, kept);
     if (!note.empty()) note = fmt::format("recording {}: {}", recording.name, note);
     return Result<Workload>::success(std::move(workload), note);
 }

@@ -170,8 +170,7 @@ Result<MeshBody> body_of(const MeshPart& part, const MeshReading& reading) {
     mesh.body = std::move(*hull);
     if (part.in_single) mesh.step = single_step(mesh.points);
     std::string warning = hull_warning(part, mesh.body);
-    const std::string step = step_warning(mesh);
-    warning += (warning.empty() || step.empty() ? "" : "; ") + step;
+    add_warning(warning, step_warning(mesh));
     return Result<MeshBody>::success(std::move(mesh), std::move(warning));
 }
 
@@ -203,8 +202,7 @@ Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
         if (several) where += message(" (mesh ", k + 1, part.name.empty() ? "" : " '" + part.name + "'", ")");
         Result<MeshBody> mesh = body_of(part, reading);
         if (!mesh) return Bodies::failure(where + ": " + mesh.error);
-        if (!mesh.warning.empty())
-            warnings += message(warnings.empty() ? "" : "; ", where, ": ", mesh.warning);
+        if (!mesh.warning.empty()) add_warning(warnings, message(where, ": ", mesh.warning));
         (*mesh).name = several ? message(stem, "#", k + 1) : stem;
         bodies.push_back(std::move(*mesh));
     }
@@ -213,7 +211,7 @@ Bodies read_mesh_file(const std::string& path, const MeshReading& reading) {
 
 void refuse_as_stored_without_mesh(bool as_stored, std::span<const std::string> shapes) {
     if (as_stored && std::ranges::none_of(shapes, names_mesh_file))
-        throw std::invalid_argument("--as-stored is of mesh files: name one, or leave it out");
+        throw std::invalid_argument("--as-stored is for mesh files: name one, or leave it out");
 }
 
 Result<std::vector<NamedShape>> mesh_shapes(const std::string& file, const MeshReading& reading) {

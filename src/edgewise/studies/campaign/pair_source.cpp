@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "edgewise/bench/cell.hpp"
+#include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/input/shown_text.hpp"
@@ -316,7 +317,7 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
     for (const std::string& shape : shapes) {
         const std::string name = std::string(random_family) + " " + input::valid_utf8(shape);
         auto read = scene::named_shape(shape, reading);
-        if (!read.warning.empty()) warning_ += (warning_.empty() ? "" : "; ") + read.warning;
+        add_warning(warning_, read.warning);
         if (!shapes_.emplace(name, std::move(read).or_throw().body).second)
             throw std::invalid_argument(fmt::format("shape '{}' is given twice: leave one out", shape));
         names_.push_back(name);

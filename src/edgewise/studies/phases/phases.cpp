@@ -14,7 +14,7 @@ namespace edgewise::studies {
 
 namespace {
 
-/// Of phases.json.
+/// A rule of phases.json.
 struct Rule {
     std::string place, function, phase;
     std::optional<Recurrence> recurrence;
