@@ -41,10 +41,9 @@ class reuse {
         store::add_means(names.per_query, unit.touched, trace.queries, all);
         all.push_back(store::figure(names.of_scene, unit.distinct));
         all.push_back(store::mean_figure(names.of_body, unit.of_tables, trace.tables));
-        all.push_back(trace.frames > 0
-                          ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
-                          : store::no_figure(names.of_frame, "no whole frame was followed",
-                                             "tumble with in_time_order=1, or pressure"));
+        all.push_back(trace.frames > 0 ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
+                                       : store::no_figure(names.of_frame, "no whole frame was followed",
+                                                          "tumble with in_time_order=1, or pressure"));
         const auto knee = [&](const measure::MissCurve& curve, std::uint64_t touched,
                               std::uint64_t queries) -> std::optional<double> {
             if (queries == 0) return std::nullopt;

@@ -112,7 +112,7 @@ TEST(Draw, PaintsATableToScale) {
     EXPECT_THAT(outcome.out, testing::HasSubstr("voronoi_planes 1536 B"));
     folder.write("a&b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
     EXPECT_THAT(run({"draw", "layout", "aos_f64", "--shape", "a&b.obj"}, folder).out,
-                testing::HasSubstr("<title>aos_f64, a&amp;b.obj</title>"));
+                testing::HasSubstr("<title>aos_f64, a&amp;b</title>"));
 }
 
 TEST(List, NamesEveryEntry) {

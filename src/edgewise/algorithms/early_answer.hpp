@@ -115,9 +115,9 @@ class EarlyAnswer {
         return look_along(pair, answer);
     }
 
-    /// Answers from the corners of the pair, where may(kept) tries the proof; not without corners, nor with
-    /// four, which surround the origin. Each number of corners has code of its own, whose values all stay in
-    /// registers: 0.9 of a query's time. Traced tables, whose time is not measured, do without.
+    /// Answers from the corners of the pair if may(kept) is true and the proof holds; never without corners,
+    /// or from four, which surround the origin. Each number of corners has code of its own, whose values all
+    /// stay in registers: 0.9 of a query's time. Traced tables, whose time is not measured, do without.
     template <class May>
     [[nodiscard]] [[gnu::always_inline]] bool from_corners(Pair& pair, Distance& answer,
                                                            const May& may) const {

@@ -23,7 +23,7 @@ namespace edgewise::bench {
 struct FrameOrder {
     std::vector<std::size_t> numbers;  ///< in the workload, frame by frame
     std::vector<std::size_t> ends;     ///< of frames, in numbers
-    std::vector<std::size_t> caches;   ///< of the queries' pairs: as many as the first frame has queries
+    std::vector<std::size_t> caches;   ///< the number of each query's pair, in the order of the first frame
 
     explicit FrameOrder(const scene::Workload& workload)
         : numbers(workload.queries.size()), caches(numbers.size()) {
