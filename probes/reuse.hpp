@@ -43,6 +43,7 @@ class reuse {
         all.push_back(store::mean_figure(names.of_body, unit.of_tables, trace.tables));
         all.push_back(trace.frames > 0 ? store::mean_figure(names.of_frame, unit.in_frames, trace.frames)
                                        : store::no_figure(names.of_frame, "no whole frame was followed",
+                                                          "trace a frame or more of a scene that has frames: "
                                                           "tumble with in_time_order=1, or pressure"));
         const auto knee = [&](const measure::MissCurve& curve, std::uint64_t touched,
                               std::uint64_t queries) -> std::optional<double> {

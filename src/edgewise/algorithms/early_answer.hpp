@@ -65,8 +65,8 @@ class EarlyAnswer {
             });
     }
 
-    /// Returns true if a search in singles may find where a run starts, because the pair's simplex is far
-    /// off. (From a near one a search takes as long as the run itself: 8 vertices, 0.1 rad per step, 1.01.)
+    /// Returns true if a search in singles may find where a run starts: the pair is cold, or its simplex
+    /// is far off. (From a near one a search takes as long as the run: 8 vertices, 0.1 rad per step, 1.01.)
     [[nodiscard]] bool may_search() const { return !starts_near_ && may_try(); }
 
     /// Searches in singles for where a run starts, where may_search().
@@ -115,18 +115,18 @@ class EarlyAnswer {
         return look_along(pair, answer);
     }
 
-    /// Answers from the corners of the pair if may(kept) is true and the proof holds; never without corners,
+    /// Answers from the corners of the pair if is_worth_it(kept) and the proof holds; never without corners,
     /// or from four, which surround the origin. Each number of corners has code of its own, whose values all
     /// stay in registers: 0.9 of a query's time. Traced tables, whose time is not measured, do without.
-    template <class May>
+    template <class IsWorthIt>
     [[nodiscard]] [[gnu::always_inline]] bool from_corners(Pair& pair, Distance& answer,
-                                                           const May& may) const {
+                                                           const IsWorthIt& is_worth_it) const {
         const auto try_some = [&](auto number) __attribute__((always_inline)) {
             KeptSimplex<TableA, TableB, double> kept(a_, b_, a_from_b_);
             const std::uint32_t count = number;
 #pragma GCC unroll 3
             for (std::uint32_t i = 0; i < count; ++i) kept.push(pair.corner(i).a, pair.corner(i).b);
-            if (!may(kept)) return false;
+            if (!is_worth_it(kept)) return false;
             if (!kept.is_proven(options_)) return false;
             kept.write(answer);
             answer.steps = std::max(steps_.taken, 1);
