@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("": all layouts);
-# EDGEWISE_FULL_TESTS=ON adds the tests that only tests/run full has; EDGEWISE_PEERS=ON adds adapters of other libraries;
-# EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
+# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("": all layouts); EDGEWISE_VARIANTS=OFF builds variants of
+# layouts for tests alone; EDGEWISE_FULL_TESTS=ON adds the tests that only tests/run full has; EDGEWISE_PEERS=ON adds
+# adapters of other libraries; EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu
@@ -18,16 +18,12 @@ log=$folder/configure.log
 mkdir -p "$folder"
 
 echo "build: $preset"
-set_layouts=
-[ -z "${EDGEWISE_LAYOUTS+set}" ] || set_layouts=-DEDGEWISE_LAYOUTS=$EDGEWISE_LAYOUTS
-set_peers=
-[ -z "${EDGEWISE_PEERS+set}" ] || set_peers=-DEDGEWISE_PEERS=$EDGEWISE_PEERS
-set_folders=
-[ -z "${EDGEWISE_PEER_FOLDERS+set}" ] || set_folders=-DEDGEWISE_PEER_FOLDERS=$EDGEWISE_PEER_FOLDERS
-set_full=
-[ -z "${EDGEWISE_FULL_TESTS+set}" ] || set_full=-DEDGEWISE_FULL_TESTS=$EDGEWISE_FULL_TESTS
-if ! cmake -S "$root" --preset "$preset" ${set_full:+"$set_full"} ${set_layouts:+"$set_layouts"} ${set_peers:+"$set_peers"} \
-    ${set_folders:+"$set_folders"} >"$log" 2>&1; then
+targets=$*
+set --
+for name in EDGEWISE_LAYOUTS EDGEWISE_VARIANTS EDGEWISE_FULL_TESTS EDGEWISE_PEERS EDGEWISE_PEER_FOLDERS; do
+    eval "[ -z \"\${$name+set}\" ] || set -- \"\$@\" \"-D$name=\$$name\""
+done
+if ! cmake -S "$root" --preset "$preset" "$@" >"$log" 2>&1; then
     cat "$log"
     echo "build: cmake could not configure preset $preset (its output is above, and in $log)"
     exit 2
@@ -47,7 +43,8 @@ print_progress() { # LOG STARTED
     }
 }
 
-[ $# -eq 0 ] || set -- --target "$@"
+# shellcheck disable=SC2086 # names of targets
+set -- ${targets:+--target $targets}
 log=$folder/build.log
 code=0
 if [ -t 2 ]; then

@@ -10,6 +10,7 @@ option(EDGEWISE_UNITY "Compile the tool's sources some at a time as one: a third
 option(EDGEWISE_PEERS "Build adapters of other libraries that are found, to measure these libraries too" OFF)
 set(EDGEWISE_PEER_FOLDERS "" CACHE STRING "Where libraries for EDGEWISE_PEERS are that no package brings: folders that they are installed or built in")
 set(EDGEWISE_LAYOUTS "" CACHE STRING "Only these layouts or table types (aos, aos_f64) of the manifest, for a quicker build; empty: all")
+option(EDGEWISE_VARIANTS "Compile variants of layouts for the program, not only quickly for tests; those that EDGEWISE_LAYOUTS names are" ON)
 set(EDGEWISE_SIM_LAYOUTS "aos_f64;aos_f32;aos_mixed;lean_f64;lean_f32;lean_seeds_f64;lean_seeds_f32;points_soa_f64" CACHE STRING "Table types of edgewise_sim, the program for Valgrind")
 set(EDGEWISE_TUNE "" CACHE STRING "Value for -march in the tool (native, x86-64-v3 ...); empty: the compiler's default")
 

@@ -3,11 +3,12 @@
 # (src/edgewise/studies/CMakeLists.txt). CMake generates a unit for each table type (those of one layout compile as one), so
 # that builds are parallel and no other file names a layout.
 
-# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the type and
-# the command-line name; with a number, type and name end with it. A variant hardly differs from OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table
-# for GJK alone.
+# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER [IN_PROGRAM]] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the
+# type and the command-line name; with a number, type and name end with it. A variant hardly differs from OTHER: plans leave
+# it out, except `full`, and without EDGEWISE_VARIANTS the program does too, unless plan `quick` or a command needs it
+# (IN_PROGRAM). SUPPORT_ONLY: a table for GJK alone.
 function(edgewise_layout LAYOUT)
-    cmake_parse_arguments(given SUPPORT_ONLY "VARIANT_OF;NUMBER" "" ${ARGN})
+    cmake_parse_arguments(given "SUPPORT_ONLY;IN_PROGRAM" "VARIANT_OF;NUMBER" "" ${ARGN})
     set(LAYOUT_FILE ${LAYOUT}.hpp)
     string(APPEND LAYOUT "${given_NUMBER}")
     set_property(GLOBAL PROPERTY EDGEWISE_FILE_OF_${LAYOUT} ${LAYOUT_FILE})
@@ -29,13 +30,16 @@ function(edgewise_layout LAYOUT)
         endif()
         configure_file(${PROJECT_SOURCE_DIR}/cmake/table_type.cpp.in ${PROJECT_BINARY_DIR}/registry/${type}.cpp @ONLY)
         set_property(GLOBAL APPEND PROPERTY EDGEWISE_TABLE_TYPES ${type})
+        if(NOT VARIANT_OF OR given_IN_PROGRAM OR EDGEWISE_VARIANTS OR EDGEWISE_LAYOUTS)
+            set_property(GLOBAL APPEND PROPERTY EDGEWISE_MEASURED_TYPES ${type})
+        endif()
     endforeach()
 endfunction()
 
 # edgewise_default_builds(ALGORITHM CLASS TYPE...): the algorithm's query loops on these table types are also compiled as
 # applications compile them, each as a module (axis build=default). Of a layout that this build leaves out there is none.
 function(edgewise_default_builds ALGORITHM CLASS)
-    get_property(built GLOBAL PROPERTY EDGEWISE_TABLE_TYPES)
+    get_property(built GLOBAL PROPERTY EDGEWISE_MEASURED_TYPES)
     foreach(type IN LISTS ARGN)
         if(type IN_LIST built)
             string(REGEX REPLACE "_[^_]*$" "" LAYOUT ${type})

@@ -41,6 +41,15 @@ TEST(Bench, PrintsTheModelsSpeed) {
     for (const json& row : rows) EXPECT_GT(row["accesses_per_second"].get<double>(), 0) << row;
 }
 
+TEST(Bench, ScalingRefusesATableThatQueriesWrite) {
+    const Outcome outcome = run({"bench", "scaling", "--table", "lazy_f64", "--algorithm", "vclip", "--shape",
+                                 "cube8", "--queries", "50"},
+                                Folder());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(lines_of(outcome.err), testing::ElementsAre(testing::AllOf(
+                                           HasSubstr("lazy_f64"), HasSubstr("one thread at a time"))));
+}
+
 TEST(Calibrate, SaysWhatItModelledAndCountedOrWhyNot) {
     const Folder folder;
     const Outcome outcome =

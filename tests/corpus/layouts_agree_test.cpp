@@ -22,10 +22,15 @@ namespace edgewise {
 namespace {
 
 struct Asked {
-    std::vector<Polyhedron> bodies;
     scene::Query query;
     std::map<std::string, bool> unique =
         {};  ///< closest features, of the bodies as this table type stores them
+};
+
+/// Two bodies and what is asked of them.
+struct Questions {
+    std::vector<Polyhedron> bodies;
+    std::vector<Asked> asked;
 };
 
 /// Number of vertices that are lowest along a direction, to a billionth of the size.
@@ -56,20 +61,21 @@ std::vector<Index> sorted(std::vector<Index> names) {
     return names;
 }
 
-std::vector<Asked> questions() {
-    std::vector<Asked> all;
+std::vector<Questions> questions() {
+    std::vector<Questions> all;
     for (const scene::Case& given : corpus()) {
         const auto a = scene::body_from_case(given.a);
         const auto b = scene::body_from_case(given.b);
-        all.push_back({{*a, *b}, {0, 1, 0, given.pose_a, given.pose_b}});
+        all.push_back({{*a, *b}, {{{0, 1, 0, given.pose_a, given.pose_b}}}});
     }
     scene::Rng rng(3);
     for (const char* name : {"cube8", "sphere38", "sphere386"}) {
         const Polyhedron body = *scene::make_shape(name);
+        Questions& of_body = all.emplace_back(Questions{{body, body}, {}});
         for (int i = 0; i < 400; ++i) {
             scene::Query query{0, 1, 0, {rng.rotation(), Vec3d::Zero()}, {rng.rotation(), Vec3d::Zero()}};
             query.pose_b.translation = extent(body.vertices) * rng.uniform(0.3, 1.5) * rng.on_sphere();
-            all.push_back({{body, body}, query});
+            of_body.asked.push_back({query});
         }
     }
     return all;
@@ -80,11 +86,9 @@ struct Tally {
     double difference = 0;  ///< of distances, in units of the scale
 };
 
-void compare(const std::string& plain_name, bench::Runner& plain, bench::Runner& other, Asked& asked,
-             double eps, Tally& tally) {
-    if (!plain.load(asked.bodies).empty() || !other.load(asked.bodies).empty()) return;
+void compare(const std::string& plain_name, const bench::Runner& plain, const bench::Runner& other,
+             std::span<const Polyhedron> stored, Asked& asked, double eps, Tally& tally) {
     const bench::NamedAnswer expected = plain.answer(asked.query), found = other.answer(asked.query);
-    const auto stored = plain.stored_bodies();
     const truth::AccuracyBand band = truth::accuracy_band(stored[0].vertices, asked.query.pose_a,
                                                           stored[1].vertices, asked.query.pose_b, eps);
     const double off = std::abs(expected.distance.distance - found.distance.distance);
@@ -112,7 +116,13 @@ TEST(LayoutsAgree, OnFeaturesStatusAndDistance) {
             continue;
         const auto of_plain = plain->make_runner("vclip"), of_type = type.make_runner("vclip");
         Tally tally;
-        for (Asked& asked : all) compare(plain->name, *of_plain, *of_type, asked, type.eps, tally);
+        for (Questions& questions : all) {
+            if (!of_plain->load(questions.bodies).empty() || !of_type->load(questions.bodies).empty())
+                continue;
+            const auto stored = of_plain->stored_bodies();
+            for (Asked& asked : questions.asked)
+                compare(plain->name, *of_plain, *of_type, stored, asked, type.eps, tally);
+        }
         std::printf(
             "%s: %d of %d pairs have unique features; %d other features, %d other status, distance %.2g\n",
             type.name.c_str(), tally.unique, tally.compared, tally.other_features, tally.other_status,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The golden answers on another processor: compiles answers.hpp for it by COMPILER with each of the table types O2 and O3, at
-# this level, and runs that by QEMU on the queries that the program QUESTIONS writes. A type's rows must be those of ANSWERS.
-# Without -ffp-contract=off its answers must differ: else this test tests nothing.
+# this level and with OPTIONS, and runs that by QEMU on the queries that the program QUESTIONS writes. A type's rows must be
+# those of ANSWERS. Without -ffp-contract=off its answers must differ: else this test tests nothing.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../../consumer/steps.cmake)
 
@@ -33,7 +33,7 @@ int main(int, char** arguments) {
 }
 ")
     run("writing the queries of ${type}" ${QUESTIONS} --questions ${SCRATCH}/queries.txt ${type})
-    run("compiling ${type} for ${PROCESSOR}" ${COMPILER} ${flags} ${level} -ffp-contract=${contraction} -static
+    run("compiling ${type} for ${PROCESSOR}" ${COMPILER} ${flags} ${OPTIONS} ${level} -ffp-contract=${contraction} -static
         -Wl,--gc-sections ${main} ${objects} -o ${SCRATCH}/${type})
     execute_process(COMMAND ${QEMU} ${SCRATCH}/${type} ${SCRATCH}/queries.txt OUTPUT_VARIABLE rows RESULT_VARIABLE failed)
     if(failed)
