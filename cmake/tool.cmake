@@ -141,8 +141,8 @@ function(edgewise_write_list NAME TUNE)
     edgewise_table_type_list(${PROJECT_BINARY_DIR}/registry/${NAME}_list.cpp ${ARGN})
 endfunction()
 
-# edgewise_table_types(NAME TUNE TYPE...): the object library NAME_table_types, with these table types compiled for that machine (""
-# for any), and registry/NAME_list.cpp, which is there.
+# edgewise_table_types(NAME TUNE TYPE...): the object library NAME_table_types of these table types, compiled for that machine
+# ("" for any), and of the list that edgewise_write_list(NAME ...) wrote.
 function(edgewise_table_types NAME TUNE)
     list(TRANSFORM ARGN REPLACE "(.+)" "${PROJECT_BINARY_DIR}/registry/\\1.cpp" OUTPUT_VARIABLE units)
     set(types ${NAME}_table_types)
