@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN, PROGRAM, WITH_EXAMPLES: installs the package, moves
-# it, checks that it has no forbidden words, and builds README's example (without machine tuning and outside flags). It
-# compares its output with README. If asked, it does the same with the installed examples, and builds the layout lock of a
-# user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and fail with the differences if
-# a member is added.
+# consumer.cmake with SOURCE, BUILD, SCRATCH, COMPILER, GENERATOR, EIGEN, PROGRAM, WITH_EXAMPLES, EXAMPLE_FLAGS: installs the
+# package, moves it, checks that it has no forbidden words, and builds README's example (without machine tuning and outside
+# flags). It compares its output with README. If asked, it does the same with the installed examples, with EXAMPLE_FLAGS, and
+# builds the layout lock of a user's structure, with edgewise::measure alone: it must pass with the unchanged structure, and
+# fail with the differences if a member is added.
 cmake_minimum_required(VERSION 3.25)
 set(ENV{CXXFLAGS} "")
 set(ENV{LDFLAGS} "")
@@ -88,7 +88,7 @@ function(check_consumer COMPILER FOLDER)
         set(examples)
     endif()
     build_project(project ${COMPILER} ${FOLDER} "-march;${BUILD}/include;${SOURCE}/src" -D EXAMPLE=${SCRATCH}/example.cpp
-        -D EXAMPLES=${examples})
+        -D EXAMPLES=${examples} -D EXAMPLE_FLAGS=${EXAMPLE_FLAGS})
     expect_output("README's example" ${FOLDER}/consumer "${expected}")
     if(NOT WITH_EXAMPLES)
         return()

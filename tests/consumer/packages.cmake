@@ -54,7 +54,7 @@ endforeach()
 read_example(${SOURCE}/README.md example expected)
 file(WRITE ${SCRATCH}/example.cpp "${example}")
 run("configuring" ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer/project -B ${SCRATCH}/build -G ${GENERATOR}
-    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${prefix}
     -D EXAMPLE=${SCRATCH}/example.cpp)
 run("building" ${CMAKE_COMMAND} --build ${SCRATCH}/build --target consumer)
 expect_output("README's example by find_package" ${SCRATCH}/build/consumer "${expected}")

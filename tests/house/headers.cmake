@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Every header compiles alone, and twice. One unit a header, built by the test: those that changed since the revision at
-# which this test last passed here, or in the last commits of a fresh clone, and those that include one with other
-# includes. With EDGEWISE_FULL_TESTS all of them. Headers that include Eigen have it precompiled.
+# which this test last passed here, or in the last commits of a fresh clone, and those that no longer include, through
+# others, all that they did. With EDGEWISE_FULL_TESTS all of them. Headers that include Eigen have it precompiled.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/edgewise/*.hpp
     ${PROJECT_SOURCE_DIR}/layouts/*.hpp ${PROJECT_SOURCE_DIR}/probes/*.hpp ${PROJECT_SOURCE_DIR}/reports/*.hpp)
 # Adapters need the libraries that they adapt; their modules compile them.
@@ -21,8 +21,8 @@ add_custom_command(OUTPUT ${folder}/eigen.hpp.gch DEPENDS ${folder}/eigen.hpp
     COMMAND ${check} -x c++-header ${folder}/eigen.hpp -o ${folder}/eigen.hpp.gch VERBATIM)
 
 include(${CMAKE_CURRENT_SOURCE_DIR}/include_graph.cmake)
-edgewise_include_graph(${PROJECT_SOURCE_DIR} "${headers}")
-edgewise_includers("Eigen/Core;Eigen/Dense" with_eigen)
+edgewise_include_lines(${PROJECT_SOURCE_DIR} "${headers}" lines)
+edgewise_read_includes(now "${lines}")
 
 set(units)
 foreach(header IN LISTS headers)
@@ -35,7 +35,8 @@ foreach(header IN LISTS headers)
     set(unit ${folder}/${unit})
     file(CONFIGURE OUTPUT ${unit}.cpp CONTENT "#include \"edgewise/${name}\"\n#include \"edgewise/${name}\"\n")
     set(precompiled)
-    if(name IN_LIST with_eigen)
+    edgewise_included(now ${name} included)
+    if("Eigen/Core" IN_LIST included OR "Eigen/Dense" IN_LIST included)
         set(precompiled -include ${folder}/eigen.hpp)
     endif()
     add_custom_command(OUTPUT ${unit}.o DEPENDS ${unit}.cpp ${folder}/eigen.hpp.gch DEPFILE ${unit}.d
