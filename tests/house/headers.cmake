@@ -50,4 +50,4 @@ file(CONFIGURE OUTPUT ${folder}/headers.txt CONTENT "${headers}\n")
 add_test(NAME house.headers_compile_alone
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR} -D FOLDER=${folder}
             -D ALL=${EDGEWISE_FULL_TESTS} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_headers.cmake)
-set_tests_properties(house.headers_compile_alone PROPERTIES TIMEOUT 900 PROCESSORS 2 RESOURCE_LOCK build_folder)
+set_tests_properties(house.headers_compile_alone PROPERTIES TIMEOUT 900 PROCESSORS 2 COST 200 RESOURCE_LOCK build_folder)
