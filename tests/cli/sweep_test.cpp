@@ -208,6 +208,18 @@ TEST(Sweep, ShowsABodyThatCannotBeHadAsUnavailable) {
     EXPECT_THAT(reasons, testing::Each(HasSubstr(".stl")));
 }
 
+/// That program has none of the manifest's layouts.
+TEST(Sweep, SaysHowToCompileALayoutThatTheProgramLacks) {
+    for (const char* name : {"ring", "ring_f64"}) {
+        const Folder folder;
+        const Outcome outcome =
+            Process(crooked_program_path, {"sweep", "--scenes", "cold", "--layouts", name}, folder).wait();
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + name + "' is not in this program: "));
+        EXPECT_THAT(outcome.err, HasSubstr("EDGEWISE_VARIANTS=ON"));
+    }
+}
+
 /// The program with a wrong layout (crooked.hpp) and a right one linked in: the wrong one's cell fails
 /// with its reason, is not timed, and the sweep goes on.
 TEST(Sweep, RecordsAFailingCellAndGoesOn) {

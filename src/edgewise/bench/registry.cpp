@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/peers/peer_modules.hpp"
 #include "edgewise/input/known_names.hpp"
 
@@ -66,12 +67,24 @@ std::vector<const TableType*> select_types(std::span<const TableType> from,
 }
 
 std::vector<const TableType*> select_table_types(std::span<const std::string> names) {
+    for (const std::string& name : names) {
+        if (std::ranges::count(manifest_layouts(), name) > 0 && !is_built(name))
+            throw std::invalid_argument(
+                fmt::format("'{}' is not in this program: EDGEWISE_LAYOUTS= EDGEWISE_VARIANTS=ON sh "
+                            "cmake/build_preset.sh release edgewise_program compiles all layouts",
+                            name));
+    }
     return select_types(table_types(), names, "layout (or table type, as in aos_f64)");
 }
 
 const TableType* find_table_type(std::string_view name) {
     const auto found = std::ranges::find(table_types(), name, &TableType::name);
     return found != table_types().end() ? &*found : nullptr;
+}
+
+bool is_built(std::string_view name) {
+    return std::ranges::any_of(
+        table_types(), [&](const TableType& type) { return type.layout == name || type.name == name; });
 }
 
 const TableType& table_type_called(const std::string& name) {

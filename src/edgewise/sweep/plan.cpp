@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/input/count.hpp"
 #include "edgewise/input/file_text.hpp"
@@ -149,24 +149,18 @@ Plan read_file(const std::string& file) {
     return parse_plan(file, *text);
 }
 
-bool is_built(const std::string& layout) {
-    const auto types = bench::table_types();
-    return std::any_of(types.begin(), types.end(), [&](const bench::TableType& type) {
-        return type.layout == layout || type.name == layout;
-    });
-}
-
 /// A program may have been built with some layouts only: the others, and scenes for them, are left out. Where
 /// none is left, those that it has.
 void leave_out_missing_layouts(Plan& plan) {
     std::erase_if(plan.layouts,
-                  [](const std::string& layout) { return layout != "all" && !is_built(layout); });
+                  [](const std::string& layout) { return layout != "all" && !bench::is_built(layout); });
     if (plan.layouts.empty()) plan.layouts = plan_of_this_program().layouts;
     std::erase_if(plan.scenes, [](SceneChoice& scene) {
         if (scene.layouts.empty() && scene.pairs.empty()) return false;
-        std::erase_if(scene.layouts, [](const std::string& layout) { return !is_built(layout); });
-        std::erase_if(scene.pairs,
-                      [](const std::string& pair) { return !is_built(pair.substr(pair.find(' ') + 1)); });
+        std::erase_if(scene.layouts, [](const std::string& layout) { return !bench::is_built(layout); });
+        std::erase_if(scene.pairs, [](const std::string& pair) {
+            return !bench::is_built(pair.substr(pair.find(' ') + 1));
+        });
         return scene.layouts.empty() && scene.pairs.empty();
     });
 }

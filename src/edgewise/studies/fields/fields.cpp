@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "edgewise/studies/fields/fields.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <stdexcept>
 #include <string_view>
 #include <unordered_map>
 
@@ -124,11 +121,7 @@ class FieldsRun {
         const FieldTrace trace =
             trace_fields(original().runner(), bench::TraceExtent::everything(), type().name);
         advice_.table = type().name;
-        advice_.builder = builder_of(type());
-        if (!bench::find_table_type(advice_.builder))
-            throw std::invalid_argument(fmt::format(
-                "{}, which builds what is advised, is not in this program: name it in EDGEWISE_LAYOUTS",
-                advice_.builder));
+        advice_.builder = bench::table_type_called(builder_of(type())).name;
         advice_.fields = trace.fields();
         advice_.together = co_access(trace);
         advice_.own = own_groups(trace);

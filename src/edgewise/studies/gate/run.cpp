@@ -159,14 +159,7 @@ constexpr const char* reference_table = "aos_f64";
 constexpr const char* reference_algorithm = "vclip";
 constexpr const char* batch_axis = "batch=yes";
 
-const bench::TableType& reference_type() {
-    const bench::TableType* found = bench::find_table_type(reference_table);
-    if (!found)
-        throw std::invalid_argument(
-            fmt::format("the gate divides by {} of {}, which this program lacks: name it in EDGEWISE_LAYOUTS",
-                        reference_algorithm, reference_table));
-    return *found;
-}
+const bench::TableType& reference_type() { return bench::table_type_called(reference_table); }
 
 struct GateCellChoice {
     const bench::TableType* type;
