@@ -7,7 +7,7 @@ function(edgewise_header_name FILE RESULT)
     set(${RESULT} ${name} PARENT_SCOPE)
 endfunction()
 
-# edgewise_include_lines(SOURCE HEADERS RESULT): "FILE:#include ..." for each such line of these files below SOURCE.
+# edgewise_include_lines(SOURCE HEADERS RESULT): each include line of these files below SOURCE, as FILE:LINE.
 function(edgewise_include_lines SOURCE HEADERS RESULT)
     set(all)
     foreach(header IN LISTS HEADERS)
@@ -18,7 +18,7 @@ function(edgewise_include_lines SOURCE HEADERS RESULT)
     set(${RESULT} "${all}" PARENT_SCOPE)
 endfunction()
 
-# edgewise_read_includes(TREE LINES): such lines of a revision, which TREE names from now on.
+# edgewise_read_includes(TREE LINES): reads the include lines of a revision, which TREE names from now on.
 function(edgewise_read_includes TREE LINES)
     foreach(line IN LISTS LINES)
         string(REGEX MATCH "^(.*):#include .(edgewise/)?([^>\"]*)" matched "${line}")
