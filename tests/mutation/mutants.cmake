@@ -313,9 +313,9 @@ edgewise_mutant(level_sides_of_boxes_overlooked layouts/box.hpp [[== top) best ^
     Box.Finds* ${unit}/layout_parts/box_test.cpp)
 
 # Raw V-Clip
-edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[return walk(a, b, nobody, false, first);]] [[return walk(a, b, nobody, true, first);]]
+edgewise_mutant(raw_vclip_asks_gjk algorithms/vclip.hpp [[body_b, observer, options.hardened, first);]] [[body_b, observer, true, first);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
-edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[return answer_from(a, b, nobody, true, first);]] [[return answer_from(a, b, nobody, false, first);]]
+edgewise_mutant(hardened_vclip_is_raw algorithms/vclip.hpp [[body_b, nobody, true, first);]] [[body_b, nobody, false, first);]]
     RawWalk.* ${unit}/algorithms/raw_walk_test.cpp)
 edgewise_mutant(wrong_distances_are_no_wrong_answers studies/stability/stability_tally.cpp [[+= checked.wrong();]] [[+= checked.verdict_wrong;]]
     StabilityTally.AWrongDistance* ${unit}/studies/stability_tally_test.cpp)

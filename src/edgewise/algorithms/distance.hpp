@@ -40,8 +40,8 @@ struct Distance {
     int escapes = 0;      ///< local minima under a face that V-Clip left for a better face
 };
 
-/// Returns the answer with witness points and normal in world coordinates.
-[[nodiscard]] inline Distance to_world(const Distance& answer, const Pose& pose_a) {
+/// Returns the answer with witness points and normal in world coordinates. Flattened as `relative_pose` is.
+[[nodiscard, gnu::flatten]] inline Distance to_world(const Distance& answer, const Pose& pose_a) {
     // Field by field: a copy of the whole would wait for the query's last stores.
     return {.status = answer.status,
             .distance = answer.distance,

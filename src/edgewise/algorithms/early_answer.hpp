@@ -70,7 +70,11 @@ class EarlyAnswer {
     [[nodiscard]] bool may_search() const { return !starts_near_ && may_try(); }
 
     /// Searches in singles for where a run starts, where may_search().
-    [[nodiscard]] SingleSearchEnd search() const { return search_in_singles(a_, b_, a_from_b_, cutoff_); }
+    [[nodiscard]] SingleSearchEnd search() const {
+        SingleSearchEnd end;
+        search_in_singles(a_, b_, a_from_b_, cutoff_, end);
+        return end;
+    }
 
     /// Answers from where a search ended, if that is proven; else the run starts there.
     [[nodiscard]] bool from_end(const SingleSearchEnd& end, Pair& pair, Distance& answer) {

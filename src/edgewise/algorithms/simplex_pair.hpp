@@ -151,15 +151,16 @@ class SimplexPair {
     /// distance from each other.
     template <class Points>
     void hold(const TableA& a, const TableB& b, const Points& simplex, double distance) {
+        const auto corner_at = [&](int i) {
+            return Corner{static_cast<typename TableA::Vertex>(simplex.vertex_a(i)),
+                          static_cast<typename TableB::Vertex>(simplex.vertex_b(i))};
+        };
         bool all_fit = true;
-        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(simplex.count); ++i) {
-            const Corner corner = {
-                static_cast<typename TableA::Vertex>(simplex.vertex_a(static_cast<int>(i))),
-                static_cast<typename TableB::Vertex>(simplex.vertex_b(static_cast<int>(i)))};
-            all_fit = all_fit && Corners::fits(corner);
-            if (all_fit) corners_.set(i, corner);
-        }
-        note(a, b, all_fit ? static_cast<std::uint32_t>(simplex.count) : 0, static_cast<float>(distance));
+        for (int i = 0; i < simplex.count; ++i) all_fit = all_fit && Corners::fits(corner_at(i));
+        // The notes first: g++ reads two of their words at once, which would wait for corners just stored.
+        const int held = all_fit ? simplex.count : 0;
+        note(a, b, static_cast<std::uint32_t>(held), static_cast<float>(distance));
+        for (int i = 0; i < held; ++i) corners_.set(static_cast<std::uint32_t>(i), corner_at(i));
     }
 
     /// Changes the distance alone.

@@ -168,11 +168,10 @@ template <class TableA, class TableB>
 
 /// Walks to the closest features. `hardened`: as in QueryOptions; `first`: as in answer_from.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] Distance walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
-                            FirstTry& first) {
+void walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened, FirstTry& first,
+          Distance& result) {
     Outlook known = hardened ? start_nearer_if_far(a, b, first) : Outlook{};
     CycleGuard guard(a.feature, b.feature);
-    Distance result;
     End end = End::reached;
     int steps = 1, escapes = 0;
     for (;; ++steps) {
@@ -205,7 +204,6 @@ template <class TableA, class TableB, class Observer>
     result.steps = steps;
     result.cycles = end == End::cycled;
     result.escapes = escapes;
-    return result;
 }
 
 /// Answers by the corners of the last features, which had been close; false if they do not hold the closest
@@ -226,42 +224,70 @@ template <class TableA, class TableB>
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] Distance answer_from(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened,
                                    FirstTry& first) {
-    if (hardened && first == FirstTry::corners) {
-        if (Distance result; answer_still_close(a, b, result, first)) {
-            observer.visit(a.feature.kind(), b.feature.kind());
-            return result;
-        }
-    }
-    return walk(a, b, observer, hardened, first);
+    Distance result;
+    if (hardened && first == FirstTry::corners && answer_still_close(a, b, result, first))
+        observer.visit(a.feature.kind(), b.feature.kind());
+    else
+        walk(a, b, observer, hardened, first, result);
+    return result;
 }
 
-/// One run with everything inlined, as a symbol of its own, for the reasons given at run_gjk.
+/// Runs from the pair's last features, and notes those at which the run ends.
+template <class TableA, class TableB, class Run>
+[[nodiscard]] Distance run_from_last(const TableA& a, const TableB& b,
+                                     const Transform<ComputeOf<TableA>>& a_from_b,
+                                     FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
+                                     const Run& run) {
+    const auto b_from_a = a_from_b.inverse();
+    const bool is_known = pair.belongs_to(a, b);
+    const Features<TableA, TableB> start = pair.start(a, b);
+    Body<TableA> body_a{a, a_from_b, start.a};
+    Body<TableB> body_b{b, b_from_a, start.b};
+    FirstTry first = pair.first_try();
+    Distance result = run(body_a, body_b, first);
+    const Features<TableA, TableB> end{body_a.feature, body_b.feature};
+    const bool is_at_rest = is_known && end == start;
+    if (is_at_rest && first == FirstTry::nearer_start) first = FirstTry::walk;
+    if (!is_at_rest || first != pair.first_try()) pair = {a, b, end, first};
+    apply_tolerance(options, result);
+    return result;
+}
+
+/// One query with everything inlined, as a symbol of its own, for the reasons given at run_gjk.
 template <class TableA, class TableB>
-[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(Body<TableA>& a, Body<TableB>& b, FirstTry& first) {
-    NoObserver nobody;
-    return answer_from(a, b, nobody, true, first);
+[[nodiscard]] EDGEWISE_QUERY_LOOP Distance run(const TableA& a, const TableB& b,
+                                               const Transform<ComputeOf<TableA>>& a_from_b,
+                                               FeaturePair<TableA, TableB>& pair,
+                                               const QueryOptions& options) {
+    return run_from_last(a, b, a_from_b, pair, options, [](auto& body_a, auto& body_b, FirstTry& first) {
+        NoObserver nobody;
+        return answer_from(body_a, body_b, nobody, true, first);
+    });
 }
 
+/// The same for an observer, or with the raw algorithm.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] [[gnu::noinline]] Distance run_observed(Body<TableA>& a, Body<TableB>& b, Observer& observer,
-                                                      bool hardened, FirstTry& first) {
-    return answer_from(a, b, observer, hardened, first);
-}
-
-template <class TableA, class TableB>
-[[nodiscard]] [[gnu::noinline]] Distance run_raw(Body<TableA>& a, Body<TableB>& b) {
-    NoObserver nobody;
-    FirstTry first = FirstTry::walk;
-    return walk(a, b, nobody, false, first);
+[[nodiscard]] [[gnu::noinline]] Distance run_observed(const TableA& a, const TableB& b,
+                                                      const Transform<ComputeOf<TableA>>& a_from_b,
+                                                      FeaturePair<TableA, TableB>& pair,
+                                                      const QueryOptions& options, Observer& observer) {
+    return run_from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry& first) {
+        return answer_from(body_a, body_b, observer, options.hardened, first);
+    });
 }
 
 /// Passes a pose to GJK where V-Clip's two frames may disagree too much, because R is not orthogonal.
 template <class TableA, class TableB, class Observer>
-[[nodiscard]] [[gnu::noinline]] Distance handed_on(Body<TableA>& a, Body<TableB>& b, Observer& observer) {
-    observer.ask_gjk();
-    Distance result = answer_by_gjk(a, b);
-    result.fallbacks = 1;
-    return result;
+[[nodiscard]] [[gnu::noinline]] Distance hand_on(const TableA& a, const TableB& b,
+                                                 const Transform<ComputeOf<TableA>>& a_from_b,
+                                                 FeaturePair<TableA, TableB>& pair,
+                                                 const QueryOptions& options, Observer& observer) {
+    return run_from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry&) {
+        observer.ask_gjk();
+        Distance result = answer_by_gjk(body_a, body_b);
+        result.fallbacks = 1;
+        return result;
+    });
 }
 
 }  // namespace vclip
@@ -300,43 +326,15 @@ struct VClip {
                                          FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
                                          Observer& observer) {
         assert(holds_features(a) && holds_features(b) && "V-Clip needs tables built with Parts::features");
+        const auto& transform = in_scalar<ComputeOf<TableA>>(a_from_b);
         if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
             if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
-            if (options.hardened)
-                return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry&) {
-                    return vclip::handed_on(body_a, body_b, observer);
-                });
+            if (options.hardened) return vclip::hand_on(a, b, transform, pair, options, observer);
         }
-        return from_last(a, b, a_from_b, pair, options, [&](auto& body_a, auto& body_b, FirstTry& first) {
-            if constexpr (is_looked_at<TableA, Observer>)
-                return vclip::run_observed(body_a, body_b, observer, options.hardened, first);
-            else if (!options.hardened) [[unlikely]]
-                return vclip::run_raw(body_a, body_b);
-            else
-                return vclip::run(body_a, body_b, first);
-        });
-    }
-
-    /// Runs from the pair's last features, and notes those at which the run ends.
-    template <class TableA, class TableB, class Run>
-    [[nodiscard]] static Distance from_last(const TableA& a, const TableB& b,
-                                            const Transform<double>& a_from_b,
-                                            FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
-                                            Run run) {
-        const auto& into_a = in_scalar<ComputeOf<TableA>>(a_from_b);
-        const auto into_b = into_a.inverse();
-        const bool is_known = pair.belongs_to(a, b);
-        const Features<TableA, TableB> start = pair.start(a, b);
-        vclip::Body<TableA> body_a{a, into_a, start.a};
-        vclip::Body<TableB> body_b{b, into_b, start.b};
-        FirstTry first = pair.first_try();
-        Distance result = run(body_a, body_b, first);
-        const Features<TableA, TableB> end{body_a.feature, body_b.feature};
-        const bool is_at_rest = is_known && end == start;
-        if (is_at_rest && first == FirstTry::nearer_start) first = FirstTry::walk;
-        if (!is_at_rest || first != pair.first_try()) pair = {a, b, end, first};
-        apply_tolerance(options, result);
-        return result;
+        if constexpr (!is_looked_at<TableA, Observer>)
+            if (options.hardened) [[likely]]
+                return vclip::run(a, b, transform, pair, options);
+        return vclip::run_observed(a, b, transform, pair, options, observer);
     }
 };
 

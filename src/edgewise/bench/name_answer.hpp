@@ -93,7 +93,8 @@ void measure_contact(const AskedPair<Table>& asked, const Pair& pair, const Dist
         std::max({max_abs(overlap.point_a), max_abs(overlap.point_b), max_abs(a_from_b.translation)});
     const double noise = static_cast<double>(Tolerance<ComputeOf<Table>>::contact_noise) * size;
     auto simplex = simplex_of(a, b, pair);
-    static_cast<void>(run_gjk(a, b, cast<ComputeOf<Table>>(a_from_b), simplex, QueryOptions{}));
+    Distance unread;
+    run_gjk(a, b, cast<ComputeOf<Table>>(a_from_b), simplex, QueryOptions{}, unread);
     for (std::uint32_t i = 0; i < simplex.count(); ++i) {
         answer.proof_a.push_back(a.index_of(simplex.corner(i).a));
         answer.proof_b.push_back(b.index_of(simplex.corner(i).b));

@@ -145,13 +145,11 @@ class RunnerFor final : public TableRunner<Table> {
         double sum = 0;
         for (std::size_t i = first; i < last; ++i) {
             const scene::Query& query = workload.queries[i];
-            Distance answer;
-            if (workload.warm) {
-                answer = ask(query, pairs[query.pair]);
-            } else {
+            const auto ask_cold = [&] {
                 Pair pair = cold_pair(query);
-                answer = ask(query, pair);
-            }
+                return ask(query, pair);
+            };
+            const Distance answer = workload.warm ? ask(query, pairs[query.pair]) : ask_cold();
             if (answers) answers[i] = answer;
             sum += answer.distance;
         }

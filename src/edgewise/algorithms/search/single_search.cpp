@@ -212,11 +212,9 @@ bool has_lanes() {
 #endif
 }
 
-SingleSearchEnd run_single_search(const SingleSearch& search) {
+void run_single_search(const SingleSearch& search, SingleSearchEnd& end) {
     static const bool is_wide = has_lanes();
-    SingleSearchEnd end;
     is_wide ? search_256(search, end) : search_128(search, end);
-    return end;
 }
 
 void run_lane_searches(SearchSource& source) {

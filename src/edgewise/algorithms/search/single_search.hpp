@@ -62,7 +62,8 @@ struct SingleSearchEnd {
     }
 };
 
-[[nodiscard]] SingleSearchEnd run_single_search(const SingleSearch& search);
+/// `end`: an empty one. (A returned one is read by words after stores of bytes, for which it waits.)
+void run_single_search(const SingleSearch& search, SingleSearchEnd& end);
 
 /// Returns true if the processor has AVX2: its registers take the searches of eight queries. Only x86 was
 /// measured.
@@ -132,12 +133,12 @@ void write_search(const TableA& a, const TableB& b, const Transform<ComputeOf<Ta
 
 /// Writes a search and runs it. Not inlined: its arrays are not on the stack of a query that needs none.
 template <NumberedTable TableA, NumberedTable TableB>
-[[nodiscard]] [[gnu::noinline]] SingleSearchEnd search_in_singles(
-    const TableA& a, const TableB& b, const Transform<ComputeOf<TableA>>& a_from_b,
-    ComputeOf<TableA> cutoff) {
+[[gnu::noinline]] void search_in_singles(const TableA& a, const TableB& b,
+                                         const Transform<ComputeOf<TableA>>& a_from_b,
+                                         ComputeOf<TableA> cutoff, SingleSearchEnd& end) {
     SingleSearch search;
     write_search(a, b, a_from_b, cutoff, search);
-    return run_single_search(search);
+    run_single_search(search, end);
 }
 
 }  // namespace edgewise

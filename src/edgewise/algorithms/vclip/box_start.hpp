@@ -35,7 +35,9 @@ class BoxPoints {
   public:
     BoxPoints(const Vec3d& half_a, const Vec3d& half_b, const Transform<double>& a_from_b)
         : half_a_(half_a), half_b_(half_b), r_(a_from_b.rotation), b_in_a_(a_from_b.translation) {
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) a_[k] = within(b_in_a_[k], half_a_[k]);
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) {
             a_in_b_[k] = -(r_(0, k) * b_in_a_[0] + r_(1, k) * b_in_a_[1] + r_(2, k) * b_in_a_[2]);
             b_[k] = within(in_b(k), half_b_[k]);
@@ -87,8 +89,10 @@ class BoxPoints {
         return b_in_a_[k] + r_(k, 0) * b_[0] + (r_(k, 1) * b_[1] + r_(k, 2) * b_[2]);
     }
     void move() {
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) a_[k] = within((1 - onwards) * a_[k] + onwards * in_a(k), half_a_[k]);
         const Vec3d other = {in_b(0), in_b(1), in_b(2)};
+#pragma GCC unroll 3
         for (int k = 0; k < 3; ++k) b_[k] = within((1 - onwards) * b_[k] + onwards * other[k], half_b_[k]);
     }
 

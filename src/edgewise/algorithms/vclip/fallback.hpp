@@ -161,12 +161,11 @@ template <class TableA, class TableB>
 template <class TableA, class TableB>
 [[nodiscard]] [[gnu::noinline]] Distance answer_by_gjk(Body<TableA>& a, Body<TableB>& b) {
     auto simplex = feature_simplex(a.table, a.feature, b.table, b.feature);
-    const Distance answer = [&] {
-        if constexpr (is_traced<TableA>)
-            return run_observed_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{}, NoObserver());
-        else
-            return run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{});
-    }();
+    Distance answer;
+    if constexpr (is_traced<TableA>)
+        run_observed_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{}, NoObserver(), answer);
+    else
+        run_gjk(a.table, b.table, a.from_other, simplex, QueryOptions{}, answer);
     if (answer.status == Status::failed) return answer;
     const std::uint32_t count = simplex.count();
     if (count == 0) return answer;
