@@ -23,7 +23,9 @@ using SearchedTable = points_soa<f64>;
 SingleSearchEnd search(const SearchedTable& a, const SearchedTable& b, const Transform<double>& a_from_b) {
     SingleSearch to;
     write_search(a, b, a_from_b, std::numeric_limits<double>::infinity(), to);
-    return run_single_search(to);
+    SingleSearchEnd end;
+    run_single_search(to, end);
+    return end;
 }
 
 bool same_end(const SingleSearchEnd& a, const SingleSearchEnd& b) {

@@ -86,7 +86,7 @@ TEST(Walk, HasTheFeaturesThatVClipVisitsOnTheLayoutItself) {
         std::vector<std::vector<Index>> on_a, on_b;
         Watcher watcher{a, b, on_a, on_b};
         FirstTry first = FirstTry::walk;
-        static_cast<void>(vclip::run_observed(a, b, watcher, true, first));
+        static_cast<void>(vclip::answer_from(a, b, watcher, true, first));
         ASSERT_EQ(walk->steps.size(), on_a.size() + 1) << "the search for a start, then the states";
         ASSERT_GE(on_a.size(), 4U);
         for (std::size_t i = 0; i < on_a.size(); ++i) {

@@ -77,7 +77,7 @@ std::vector<WalkStep> vclip_walk(const Table& table_a, const Table& table_b,
     notes.names.input_index.resize(std::max(table_a.vertex_count(), table_b.vertex_count()));
     std::iota(notes.names.input_index.begin(), notes.names.input_index.end(), Index{0});
     FirstTry first = FirstTry::walk;
-    static_cast<void>(vclip::run_observed(a, b, notes, true, first));
+    static_cast<void>(vclip::answer_from(a, b, notes, true, first));
     return std::move(notes.steps);
 }
 
