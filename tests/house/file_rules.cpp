@@ -156,7 +156,7 @@ Violations own_flattening(const Files& files) {
     return check_lines(files, [](const SourceFile& file, const std::string& line) {
         const bool is_checked = is_cpp(file) && !file.path.ends_with("geometry/inlining.hpp");
         return is_checked && std::regex_search(line, attribute)
-                   ? "flatten or no_sanitize: use EDGEWISE_QUERY_LOOP"
+                   ? "flatten or no_sanitize: use a macro of geometry/inlining.hpp"
                    : "";
     });
 }

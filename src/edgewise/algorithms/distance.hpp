@@ -41,7 +41,7 @@ struct Distance {
 };
 
 /// Returns the answer with witness points and normal in world coordinates. Flattened as `relative_pose` is.
-[[nodiscard, gnu::flatten]] inline Distance to_world(const Distance& answer, const Pose& pose_a) {
+[[nodiscard]] EDGEWISE_FLATTENED inline Distance to_world(const Distance& answer, const Pose& pose_a) {
     // Field by field: a copy of the whole would wait for the query's last stores.
     return {.status = answer.status,
             .distance = answer.distance,

@@ -22,10 +22,12 @@
 /// there.
 #define EDGEWISE_IN_QUERY_LOOP __attribute__((no_sanitize("undefined")))
 
-/// A function of its own symbol, with everything that it calls inlined.
+/// A function with everything that it calls inlined; one in a query loop has a symbol of its own.
 #ifdef EDGEWISE_LOOKED_AT
+#define EDGEWISE_FLATTENED
 #define EDGEWISE_QUERY_LOOP __attribute__((noinline))
 #undef EDGEWISE_LOOKED_AT
 #else
+#define EDGEWISE_FLATTENED __attribute__((flatten))
 #define EDGEWISE_QUERY_LOOP __attribute__((flatten, noinline, no_sanitize("undefined")))
 #endif

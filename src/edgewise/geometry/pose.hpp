@@ -47,7 +47,7 @@ struct Transform {
 /// transpose as its inverse. Rotations with more than rounding error (`is_orthonormalised` is false: matrices
 /// in single, or typed in) should go through `orthonormalised` first, because otherwise a long offset is
 /// stretched. Flattened: a product that is called reads its vector from memory, just stored (25 of 102 ns).
-[[nodiscard, gnu::flatten]] inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
+[[nodiscard]] EDGEWISE_FLATTENED inline Transform<double> relative_pose(const Pose& a, const Pose& b) {
     Transform<double> result;
     for (int i = 0; i < 3; ++i)  // by rows, as they are stored
         result.rotation.row(i) = a.rotation(0, i) * b.rotation.row(0) + a.rotation(1, i) * b.rotation.row(1) +
