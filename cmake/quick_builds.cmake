@@ -16,12 +16,16 @@ if(PROJECT_IS_TOP_LEVEL AND EDGEWISE_COMPILER_CACHE AND EDGEWISE_CCACHE AND NOT 
         OUTPUT_QUIET ERROR_VARIABLE options)
     file(CONFIGURE OUTPUT ${native} CONTENT "${options}" @ONLY)
     # The compiler would read an existing precompiled header while it makes the new one, and no other clone could use the
-    # result. It is also newer than the files that include it, so ccache must compare its content.
+    # result. It is also newer than the files that include it, so ccache must compare its content. clang's names the files
+    # of its build folder, which another clone or a new build folder has not, or of another time: those are not cached.
     set(launcher ${PROJECT_BINARY_DIR}/compile_cached.sh)
     file(CONFIGURE OUTPUT ${launcher} CONTENT [[
 before=
 for word in "$@"; do
-    case $before$word in -o*.gch | -o*.pch) rm -f "$word" ;; esac
+    case $before$word in
+        -o*/cmake_pch*.pch) rm -f "$word"; exec "$@" ;;
+        -o*.gch | -o*.pch) rm -f "$word" ;;
+    esac
     before=$word
 done
 export CCACHE_BASEDIR='@PROJECT_SOURCE_DIR@' CCACHE_NOHASHDIR=1 CCACHE_EXTRAFILES='@native@'
@@ -34,7 +38,8 @@ endif()
 # edgewise_precompile(TARGET HEADER...): parses these headers of other projects once for all of the target's sources.
 function(edgewise_precompile TARGET)
     target_precompile_headers(${TARGET} PRIVATE ${ARGN})
-    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_compile_options(${TARGET} PRIVATE
+        $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,SHELL:-Xclang -fno-pch-timestamp>)
 endfunction()
 
 # edgewise_unite(TARGET FILE...): compiles groups of sources as one, which parses and instantiates their common
