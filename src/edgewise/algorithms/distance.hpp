@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "edgewise/geometry/inlining.hpp"
 #include "edgewise/geometry/pose.hpp"
 
 namespace edgewise {

@@ -94,20 +94,20 @@ class GjkBatch final : public SearchSource {
                 answers_[next_] = ask_one(query, options_);
                 continue;
             }
-            in_lane_[lane] = {next_, cast<Scalar>(query.a_from_b)};
-            write_search(*query.a, *query.b, in_lane_[lane].a_from_b, static_cast<Scalar>(options_.cutoff),
-                         search);
-            ++next_;
+            write_search(*query.a, *query.b, in_scalar<Scalar>(query.a_from_b),
+                         static_cast<Scalar>(options_.cutoff), search);
+            in_lane_[lane] = next_++;
             return true;
         }
         return false;
     }
 
     void take(int lane, const SingleSearchEnd& end) override {
-        const auto& [number, a_from_b] = in_lane_[lane];
-        const Query& query = queries_[number];
-        run_gjk_from(end, *query.a, *query.b, a_from_b, *query.pair, options_, answers_[number]);
-        apply_tolerance(options_, answers_[number]);
+        const Query& query = queries_[in_lane_[lane]];
+        Distance& answer = answers_[in_lane_[lane]];
+        const auto& a_from_b = in_scalar<Scalar>(query.a_from_b);
+        run_gjk_from(end, *query.a, *query.b, a_from_b, *query.pair, options_, answer);
+        apply_tolerance(options_, answer);
     }
 
     /// Queries that lanes did not search for.
@@ -116,11 +116,6 @@ class GjkBatch final : public SearchSource {
   private:
     using Scalar = ComputeOf<TableA>;
     static constexpr std::size_t most_lanes = 8;  ///< 256 bits of float
-
-    struct InLane {
-        std::size_t number = 0;
-        Transform<Scalar> a_from_b;
-    };
 
     /// Warm queries do not: most of them end where they start, without a search.
     [[nodiscard]] static bool fits_lane(const Query& query) {
@@ -134,7 +129,7 @@ class GjkBatch final : public SearchSource {
     std::span<Distance> answers_;
     QueryOptions options_;
     std::size_t next_ = 0, asked_singly_ = 0;
-    SmallArray<InLane, most_lanes> in_lane_;
+    SmallArray<std::size_t, most_lanes> in_lane_{};  ///< number of the query
 };
 
 /// Answers queries[i] in answers[i]. Disjoint parts of a batch may run in threads of their own: they share

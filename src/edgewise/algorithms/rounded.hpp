@@ -6,6 +6,7 @@
 // distances and depths differ by that sum, along the same normal.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 
 #include "edgewise/algorithms/distance.hpp"
@@ -24,24 +25,21 @@ struct Rounded {
     double radius = 0;
 };
 
-/// The answer of rounded bodies from that of their cores (`radius_a`, `radius_b`). Of bodies that overlap, as
-/// of cores that do, the points are void and the normal is zero.
-[[nodiscard]] inline Distance rounded(Distance cores, double radius_a, double radius_b,
-                                      double contact_tolerance = 0) {
+/// Makes the answer of cores that of rounded bodies. Of bodies that overlap, as of cores that do, the points
+/// are void and the normal is zero.
+inline void add_radii(double radius_a, double radius_b, double contact_tolerance, Distance& answer) {
     assert(radius_a >= 0 && radius_b >= 0);
-    if (cores.status == Status::failed) return cores;
-    const double gap = cores.distance - (radius_a + radius_b);
-    cores.point_a += radius_a * cores.normal;
-    cores.point_b -= radius_b * cores.normal;
+    if (answer.status == Status::failed) return;
+    const double gap = answer.distance - (radius_a + radius_b);
+    answer.point_a += radius_a * answer.normal;
+    answer.point_b -= radius_b * answer.normal;
+    answer.distance = std::max(gap, 0.0);
     if (gap < 0) {
-        cores.status = Status::overlapping;
-        cores.distance = 0;
-        cores.normal = Vec3d::Zero();
-        return cores;
+        answer.status = Status::overlapping;
+        answer.normal = Vec3d::Zero();
+    } else if (answer.status == Status::separated && gap <= contact_tolerance) {
+        answer.status = Status::touching;
     }
-    cores.distance = gap;
-    if (cores.status == Status::separated && gap <= contact_tolerance) cores.status = Status::touching;
-    return cores;
 }
 
 /// Distance of two rounded bodies, as Algorithm::query of their cores (Gjk, or VClip). `a_from_b` takes B's
@@ -56,8 +54,9 @@ template <class Algorithm, SupportTable TableA, SupportTable TableB, class Obser
     const double radii = a.radius + b.radius;
     of_cores.contact_tolerance = options.is_for_verdict() ? options.contact_tolerance + radii : 0;
     of_cores.cutoff = options.cutoff + radii;
-    const Distance cores = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores, observer);
-    return rounded(cores, a.radius, b.radius, options.contact_tolerance);
+    Distance answer = Algorithm::query(a.core, b.core, a_from_b, pair, of_cores, observer);
+    add_radii(a.radius, b.radius, options.contact_tolerance, answer);
+    return answer;
 }
 
 /// Depth of two rounded bodies that touch or overlap, from the answer of their cores. Cores with a distance

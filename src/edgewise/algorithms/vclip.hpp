@@ -166,7 +166,8 @@ template <class TableA, class TableB>
     return is_close ? FirstTry::corners : FirstTry::walk;
 }
 
-/// Walks to the closest features. `hardened`: as in QueryOptions; `first`: as in answer_from.
+/// Walks to the closest features. `hardened`: as in QueryOptions; `first`: as in answer_from; `result`: an
+/// empty one, which the answer is written to.
 template <class TableA, class TableB, class Observer>
 void walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened, FirstTry& first,
           Distance& result) {
@@ -265,7 +266,7 @@ template <class TableA, class TableB>
     });
 }
 
-/// The same for an observer, or with the raw algorithm.
+/// Runs one query for an observer, or with the raw algorithm.
 template <class TableA, class TableB, class Observer>
 [[nodiscard]] [[gnu::noinline]] Distance run_observed(const TableA& a, const TableB& b,
                                                       const Transform<ComputeOf<TableA>>& a_from_b,

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "edgewise/geometry/inlining.hpp"
 #include "edgewise/geometry/tolerance.hpp"
 #include "edgewise/geometry/vec.hpp"
 
