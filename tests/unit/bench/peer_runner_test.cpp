@@ -134,7 +134,8 @@ TEST(PeerRunner, TakesRadiiOffTheDistancesOfCores) {
         const std::vector<Distance> answers = runner.answer();
         int separated = 0;
         for (std::size_t i = 0; i < answers.size(); ++i) {
-            const Distance expected = rounded(cores[i], radius, radius);
+            Distance expected = cores[i];
+            add_radii(radius, radius, 0, expected);
             separated += expected.status == Status::separated;
             EXPECT_EQ(answers[i].status == Status::separated, expected.status == Status::separated);
             EXPECT_NEAR(answers[i].distance, expected.distance, 1e-14);

@@ -180,7 +180,7 @@ TEST_F(Verify, RoundedBodiesAreJudgedByTheirCores) {
     for (const double radii : {0.5 * cores[i].distance, 2 * cores[i].distance}) {
         for (Distance& answer : answers_) {
             if (answer.status == Status::separated) answer.normal = -answer.point_a / answer.distance;
-            answer = rounded(answer, 0.25 * radii, 0.75 * radii);
+            add_radii(0.25 * radii, 0.75 * radii, 0, answer);
         }
         const auto check_with = [&](const bench::RunnerOptions& options) {
             return check_answers(shared_, shared_.workload().bodies, answers_, eps, options,
