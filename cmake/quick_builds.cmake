@@ -16,8 +16,8 @@ if(PROJECT_IS_TOP_LEVEL AND EDGEWISE_COMPILER_CACHE AND EDGEWISE_CCACHE AND NOT 
         OUTPUT_QUIET ERROR_VARIABLE options)
     file(CONFIGURE OUTPUT ${native} CONTENT "${options}" @ONLY)
     # The compiler would read an existing precompiled header while it makes the new one, and no other clone could use the
-    # result. It is also newer than the files that include it, so ccache must compare its content. clang's names the files
-    # of its build folder, which another clone or a new build folder has not, or of another time: those are not cached.
+    # result. It is also newer than the files that include it, so ccache must compare its content. clang's names files of its
+    # build folder. Another clone does not have them, in a new folder they have another time: it is not cached.
     set(launcher ${PROJECT_BINARY_DIR}/compile_cached.sh)
     file(CONFIGURE OUTPUT ${launcher} CONTENT [[
 before=
