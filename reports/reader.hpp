@@ -7,7 +7,6 @@
 #include <compare>
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -58,6 +58,9 @@ edgewise_mutant(search_leaves_the_origin algorithms/search/sides.hpp [[r = -s;]]
 edgewise_mutant(search_takes_the_wrong_face algorithms/search/sides.hpp [[l = next_s * h - s * next_g;]] [[l = next_s * h + s * next_g;]]
     SingleSearch.* ${search})
 edgewise_mutant(search_keeps_no_faces algorithms/search/sides.hpp [[return face | last(face) | edge;]] [[return face | edge;]] SingleSearch.* ${search})
+edgewise_mutant(mixed_lanes_scan_large_bodies_alone algorithms/search/lane_bodies.hpp [[if (by_rows_ != all_lanes)]] [[if (by_rows_ == 0)]]
+    ParallelBatches/*TakeAnyNumber* ${unit}/algorithms/parallel_batch_test.cpp
+    ${PROJECT_SOURCE_DIR}/src/edgewise/algorithms/search/single_search.cpp)
 edgewise_mutant(depth_has_one_radius algorithms/rounded.hpp [[found.depth += a.radius + b.radius;]] [[found.depth += a.radius;]]
     Rounded.* ${unit}/algorithms/rounded_test.cpp)
 edgewise_mutant(kept_direction_unturned algorithms/kept_simplex.hpp [[dot(normal, difference_[0]) < 0 ? Vec3<Number>(-normal) : normal]] [[normal]]

@@ -60,11 +60,6 @@ void ask_in_order(std::span<const Query> queries, std::span<Distance> answers, c
     }
 }
 
-/// Bodies with more vertices go one after the other: a single search looks at a row of vertices at a time,
-/// and lanes take as long. Time over single queries, cold, a Xeon with AVX-512: 0.62 at 8 vertices, 1.0
-/// at 38.
-inline constexpr std::size_t most_lane_vertices = 16;
-
 /// Runs query_batch where lanes can do it.
 template <NumberedTable TableA, NumberedTable TableB>
 class GjkBatch final : public SearchSource {
@@ -119,8 +114,8 @@ class GjkBatch final : public SearchSource {
 
     /// Warm queries do not: most of them end where they start, without a search.
     [[nodiscard]] static bool fits_lane(const Query& query) {
-        return query.a->vertex_count() <= most_lane_vertices &&
-               query.b->vertex_count() <= most_lane_vertices &&
+        return query.a->vertex_count() <= SingleVertices::most &&
+               query.b->vertex_count() <= SingleVertices::most &&
                !query.pair->starts_warm(*query.a, *query.b) &&
                is_answerable(*query.a, *query.b, query.a_from_b);  // else the single query says so
     }

@@ -19,7 +19,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "edgewise/algorithms/answerable.hpp"

@@ -7,7 +7,6 @@
 // subtracted first, in double, and only then rotated.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
 #include <limits>
 
+#include "edgewise/algorithms/search/lane_bodies.hpp"
 #include "edgewise/algorithms/search/lane_vector.hpp"
 #include "edgewise/algorithms/search/sides.hpp"
 #include "edgewise/algorithms/search/single_search.hpp"
@@ -22,88 +22,22 @@ inline constexpr int most_search_steps = 32;
 /// these a reach must exceed for a verdict.
 inline constexpr float search_gap = 0x1.4p-21F, clear_gaps = 16;
 
-/// Takes B's vertices to A's frame, a row of `size` at a time.
-template <int size>
-[[gnu::always_inline]] inline void move_to_a(const SingleSearch& of, SingleVertices& to) {
-    using Row = Numbers<size>;
-    const auto row = [](auto& numbers, std::size_t i) __attribute__((always_inline))->Row& {
-        return *reinterpret_cast<Row*>(const_cast<float*>(&numbers[i]));
-    };
-    const auto& m = of.rotation;
-    const auto& t = of.translation;
-    to.count = of.b.count;
-    for (std::size_t i = 0; i < of.b.count; i += size) {
-        const Row x = row(of.b.x, i), y = row(of.b.y, i), z = row(of.b.z, i);
-        row(to.x, i) = m(0, 0) * x + m(0, 1) * y + m(0, 2) * z + t.x();
-        row(to.y, i) = m(1, 0) * x + m(1, 1) * y + m(1, 2) * z + t.y();
-        row(to.z, i) = m(2, 0) * x + m(2, 1) * y + m(2, 2) * z + t.z();
-    }
-}
-
-/// The vertices of one body per lane. A lane with fewer vertices than another repeats its first vertex: a
-/// repeated vertex never comes first of equals.
-class LaneBodies {
-  public:
-    struct Farthest {
-        EightWords vertex;
-        LaneVec point;
-    };
-
-    void write(int lane, const SingleVertices& from) {
-        const int count = static_cast<int>(from.count);
-        for (; used_ < count; ++used_) vertices_[used_] = vertices_[0];
-        for (int i = 0; i < count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            vertices_[i].set(lane, from.x[k], from.y[k], from.z[k]);
-        }
-        for (int i = count; i < used_; ++i) vertices_[i].set(lane, from.x[0], from.y[0], from.z[0]);
-    }
-
-    /// The first of the vertices farthest along each lane's direction.
-    [[nodiscard, gnu::always_inline]] Farthest farthest(const LaneVec& direction) const {
-        Eight most = dot(vertices_[0], direction);
-        EightWords vertex{}, place{};
-        for (int i = 1; i < used_; ++i) {
-            const Eight along = dot(vertices_[i], direction);
-            const EightWords higher = along > most;
-            place = place + 1;
-            most = higher ? along : most;
-            vertex = higher ? place : vertex;
-        }
-        return {vertex, at(vertex)};
-    }
-
-  private:
-    /// Each lane's vertex of this number, read once at the end: to carry it along costs a third of a scan.
-    [[nodiscard, gnu::always_inline]] LaneVec at(const EightWords& vertex) const {
-        LaneVec point;
-#pragma GCC unroll 8
-        for (int lane = 0; lane < lane_count; ++lane) {
-            const LaneVec& from = vertices_[static_cast<int>(vertex[lane])];
-            point.set(lane, from.x[lane], from.y[lane], from.z[lane]);
-        }
-        return point;
-    }
-
-    SmallArray<LaneVec, int{SingleVertices::most}> vertices_{};
-    int used_ = 1;  ///< most vertices that any lane had
-};
-
 class LaneSearch {
   public:
     explicit LaneSearch(SearchSource& source) : source_(source) {}
 
     /// Runs all searches of the source.
     [[gnu::always_inline]] void run() {
-        for (int lane = 0; lane < lane_count; ++lane) load(lane);
-        start(EightWords{} - 1);
-        while (lane_bits(is_active_) != 0) iterate();
+        for (EightWords done = EightWords{} - 1;; done = iterate()) {
+            start(done);
+            if (lane_bits(is_active_) == 0) return;
+        }
     }
 
   private:
-    /// Adds one support point in every lane.
-    [[gnu::always_inline]] void iterate() {
-        const auto a = a_.farthest(-v_), b = b_.farthest(v_);
+    /// Adds one support point in every lane. Returns the lanes whose search is done.
+    [[gnu::always_inline]] EightWords iterate() {
+        const auto a = a_.farthest<false>(v_), b = b_.farthest<true>(v_);
         const LaneVec p = a.point - b.point;
         const EightWords pair = a.vertex << 8 | b.vertex;
         const EightWords ended = ends(p, pair);
@@ -111,12 +45,12 @@ class LaneSearch {
         const EightWords surrounded =
             sides.inside.of[0] & sides.inside.of[1] & sides.inside.of[2] & ~ended & ~starts_;
         const EightWords done = is_active_ & (ended | surrounded);
-        replace(done, surrounded, pair);
+        hand_over(done, surrounded, pair);
         rest_on(sides, p, is_active_ & ~starts_ & ~done);
         insert(p, pair);
         extent_ = starts_ ? max_abs(b.point) : extent_;
         steps_ += 1;
-        start(done);
+        return done;
     }
 
     [[nodiscard, gnu::always_inline]] static Three<Eight> same(const Eight& of) { return {{of, of, of}}; }
@@ -191,9 +125,9 @@ class LaneSearch {
         }
     }
 
-    /// Hands over the searches that are done, and loads others in their lanes.
-    [[gnu::always_inline]] void replace(const EightWords& done, const EightWords& surrounded,
-                                        const EightWords& pair) {
+    /// Hands over the searches that are done.
+    [[gnu::always_inline]] void hand_over(const EightWords& done, const EightWords& surrounded,
+                                          const EightWords& pair) {
         for (unsigned left = lane_bits(done); left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
             SingleSearchEnd end;
@@ -201,40 +135,36 @@ class LaneSearch {
             for (int i = 0; i < 3; ++i) end.add(pairs_[i][lane], held_.of[i][lane] != 0);
             if (surrounded[lane]) end.add(pair[lane], true);
             source_.take(lane, end);
-            load(lane);
         }
     }
 
-    /// Loads the source's next search, which start() begins; without one the lane is idle.
-    void load(int lane) {
-        is_active_[lane] = 0;
-        if (!source_.next(lane, search_)) return;
-        is_active_[lane] = -1;
-        a_.write(lane, search_.a);
-        move_to_a<lane_count>(search_, moved_);
-        b_.write(lane, moved_);
-        const Vec3<float>& towards_b = search_.towards_b;
-        first_.set(lane, -towards_b.x(), -towards_b.y(), -towards_b.z());
-    }
-
-    /// Begins the searches that were loaded in these lanes.
-    [[gnu::always_inline]] void start(const EightWords& loaded) {
-        v_ = select(loaded, first_, v_);
-        held_ = held_ & ~Three<EightWords>{{loaded, loaded, loaded}};
-        least_ = loaded ? Eight{} + std::numeric_limits<float>::infinity() : least_;
-        steps_ = loaded ? EightWords{} + 1 : steps_;
-        starts_ = loaded;
+    /// Starts the source's next searches in these lanes; a lane without one is idle.
+    [[gnu::always_inline]] void start(const EightWords& lanes) {
+        LaneVec first = v_;
+        for (unsigned left = lane_bits(lanes); left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            SingleSearch& search = searches_[lane];
+            is_active_[lane] = source_.next(lane, search) ? -1 : 0;
+            if (is_active_[lane] == 0) continue;
+            a_.write(lane, search.a);
+            Rows<lane_count>::move_to_a(search, search.b);
+            b_.write(lane, search.b);
+            first.set(lane, -search.towards_b.x(), -search.towards_b.y(), -search.towards_b.z());
+        }
+        v_ = first;
+        held_ = held_ & ~Three<EightWords>{{lanes, lanes, lanes}};
+        least_ = lanes ? Eight{} + std::numeric_limits<float>::infinity() : least_;
+        steps_ = lanes ? EightWords{} + 1 : steps_;
+        starts_ = lanes;
     }
 
     SearchSource& source_;
-    SingleSearch search_;   ///< the lane's that loads
-    SingleVertices moved_;  ///< its B in A's frame
-    LaneBodies a_, b_;      ///< both in A's frame
+    SmallArray<SingleSearch, lane_count> searches_;  ///< B in A's frame
+    LaneBodies a_, b_;                               ///< both in A's frame
     SmallArray<LaneVec, 3> q_{};
     SmallArray<EightWords, 3> pairs_{};
     Three<EightWords> held_{};
-    LaneVec v_{};      ///< the simplex' closest point, times scale
-    LaneVec first_{};  ///< v of the search that was loaded last
+    LaneVec v_{};  ///< the simplex' closest point, times scale
     Eight scale_{}, least_{}, extent_{};
     EightWords steps_{};
     EightWords starts_{};     ///< without a point so far

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "edgewise/algorithms/search/lane_bodies.hpp"
 #include "edgewise/algorithms/search/lane_search.hpp"
 #include "edgewise/algorithms/search/sides.hpp"
 
@@ -71,65 +72,10 @@ struct SingleSimplex {
     }
 };
 
-/// Takes and scans vertices, a row of `size` at a time.
-template <int size>
-struct Rows {
-    using Row = Numbers<size>;
-    using Places = Masks<size>;
-
-    [[nodiscard, gnu::always_inline]] static Row row(const float* first) {
-        return *reinterpret_cast<const Row*>(first);
-    }
-
-    /// The first of the vertices farthest along d, or, if not `along`, against it.
-    template <bool along>
-    [[nodiscard, gnu::always_inline]] static std::int32_t farthest(const SingleVertices& of, const Four& d) {
-        // Counted down from the most, so that 0 is left for none.
-        Places where = Places{} + int{SingleVertices::most} - counted(), places = where;
-        Row most = row(&of.x[0]) * d[0] + row(&of.y[0]) * d[1] + row(&of.z[0]) * d[2];
-        for (std::size_t i = size; i < of.count; i += size) {
-            const Row next = row(&of.x[i]) * d[0] + row(&of.y[i]) * d[1] + row(&of.z[i]) * d[2];
-            places = places - size;
-            where = (along ? next > most : next < most) ? places : where;
-            join<along>(most, next);
-        }
-        Row top = most;
-        everywhere<along>(top);
-        where &= most == top;
-        everywhere<true>(where);
-        return -where[0] & int{SingleVertices::most - 1};
-    }
-
-  private:
-    [[nodiscard, gnu::always_inline]] static Places counted() {
-        if constexpr (size == 8)
-            return Places{0, 1, 2, 3, 4, 5, 6, 7};
-        else
-            return Places{0, 1, 2, 3};
-    }
-    /// The greater, or the smaller, of two.
-    template <bool greater, class Vector>
-    [[gnu::always_inline]] static void join(Vector& of, const Vector& other) {
-        of = (greater ? other > of : other < of) ? other : of;
-    }
-    /// The greatest, or the smallest, lane in all lanes.
-    template <bool greatest, class Vector>
-    [[gnu::always_inline]] static void everywhere(Vector& of) {
-        if constexpr (size == 8) {
-            join<greatest>(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
-            join<greatest>(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
-            join<greatest>(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
-        } else {
-            join<greatest>(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
-            join<greatest>(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
-        }
-    }
-};
-
 template <int size>
 [[gnu::always_inline]] inline void search(const SingleSearch& of, SingleSearchEnd& end) {
     SingleVertices b_in_a;
-    move_to_a<size>(of, b_in_a);
+    Rows<size>::move_to_a(of, b_in_a);
     SingleSimplex simplex;
     Four corner[4] = {};
     simplex.v = Four{-of.towards_b.x(), -of.towards_b.y(), -of.towards_b.z(), 0};

@@ -65,22 +65,19 @@ struct SingleSearchEnd {
 /// `end`: an empty one. (A returned one is read by words after stores of bytes, for which it waits.)
 void run_single_search(const SingleSearch& search, SingleSearchEnd& end);
 
-/// Returns true if the processor has AVX2: its registers take the searches of eight queries. Only x86 was
-/// measured.
+/// True on a processor with AVX2: its registers hold eight searches side by side. Only x86 was measured.
 [[nodiscard]] bool has_lanes();
 
 /// Where the lanes' searches come from and their ends go to.
 class SearchSource {
   public:
-    SearchSource() = default;
-    SearchSource(const SearchSource&) = delete;
-    SearchSource& operator=(const SearchSource&) = delete;
-    virtual ~SearchSource() = default;
-
     /// Writes the lane's next search; false if none is left.
     [[nodiscard]] virtual bool next(int lane, SingleSearch& search) = 0;
     /// Takes where the lane's search ended: as run_single_search says.
     virtual void take(int lane, const SingleSearchEnd& end) = 0;
+
+  protected:
+    ~SearchSource() = default;
 };
 
 /// Runs all searches of the source, side by side, on a processor that has_lanes().

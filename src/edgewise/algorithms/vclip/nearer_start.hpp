@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 #include "edgewise/algorithms/support.hpp"
 #include "edgewise/algorithms/vclip/body.hpp"

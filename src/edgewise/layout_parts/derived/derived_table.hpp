@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "edgewise/layout_parts/derived/derived_ends.hpp"
 #include "edgewise/table/ring_questions.hpp"
