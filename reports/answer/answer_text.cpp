@@ -322,6 +322,7 @@ AnswerJson answer_json(const Answer& answer) {
     json["take"]["scene"] = shown.scene->label;
     json["take"]["own_tables"] = shown.scene->own_tables;
     json["take"]["beats_baseline"] = take->beats_baseline_somewhere();
+    json["take"]["too_noisy"] = take->scenes.front().scene->noise;
     json["next"] = next_json(*shown.scene, *shown.cell);
     json["dropped"] = dropped_json(*shown.scene);
     return json;

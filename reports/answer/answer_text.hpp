@@ -55,14 +55,12 @@ struct AnswerText {
 
 [[nodiscard]] std::vector<std::string> what_passed(const Answer& answer);
 
-// The answer as JSON, under the keys of `edgewise advise`: asked, take, next, dropped, changes_it, held,
-// command.
-
-/// Returns the answer as JSON. "take" is for the tables in question; if the question allows both kinds, for a
-/// shared table if such scenes were measured, and "own_tables" says so. "next": tied cells, then slower ones;
-/// "dropped": cells over the error limit; "changes_it": empty, since it takes answers at other limits;
-/// "held": null, since nothing was predicted here. "scenes": every scene with its ranked cells. Numbers that
-/// were not measured are null.
+/// Returns the answer as JSON, with the keys of `edgewise advise`. "take" is for the tables in question; if
+/// the question allows both kinds, for a shared table if such scenes were measured, and "own_tables" says so;
+/// "too_noisy" says why it is no more than the fastest seen ("": it is recommended). "next": tied cells, then
+/// slower ones; "dropped": cells over the error limit; "changes_it": empty, since it takes answers at other
+/// limits; "held": null, since nothing was predicted here. "scenes": every scene with its ranked cells.
+/// Numbers not measured are null.
 [[nodiscard]] nlohmann::json answer_json(const Answer& answer);
 
 /// Returns the `edgewise advise` that measures what this question asks for; for one kind of tables if

@@ -204,7 +204,7 @@ AdviceJson advice_json(const Advice& advice) {
     std::vector<std::string> not_asked = advice.left_out;
     not_asked.insert(not_asked.end(), advice.not_asked.begin(), advice.not_asked.end());
     AdviceJson json = reports::answer_json(race.answer);
-    if (race.taken()) add_caches(json["take"], race);
+    if (!json["take"].is_null()) add_caches(json["take"], race);
     for (AdviceJson& one : json["next"]) add_caches(one, race);
     json["asked"] = asked_json(advice);
     json["dropped"] = dropped_json(advice, json["dropped"]);

@@ -129,6 +129,7 @@ TEST(Answer, WhatIsTooNoisyIsNotChosenBy) {
     EXPECT_EQ(scene.smallest_of_ties()->name(), "V-Clip on aos_f32") << "points_soa is twice as slow";
     EXPECT_THAT(terminal_text(answer, data),
                 HasSubstr("shared table: nothing is recommended: too noisy to choose by"));
+    EXPECT_EQ(answer_json(answer)["take"]["too_noisy"], scene.noise);
     ReportData more = data;
     for (const TimedCell& made : {made_paper, made_lean, made_gjk, tiny})
         more.cells.push_back(answer_cell(made, R"({"bodies":12})"));
@@ -235,6 +236,7 @@ TEST(Answer, AsJson) {
     for (const char* key : {"asked", "take", "next", "dropped", "changes_it", "held", "command"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["take"]["table"], "lean_f32");
+    EXPECT_EQ(json["take"]["too_noisy"], "");
     EXPECT_EQ(json["take"]["algorithm"], "vclip");
     EXPECT_EQ(json["take"]["time_ratio"], nlohmann::json({0.70, 0.72, 0.74}));
     EXPECT_EQ(json["take"]["bytes_per_edge"], 8.8);
