@@ -46,7 +46,8 @@ const std::vector<std::pair<std::string, std::string>> names_of_headers = {
      "conditional_t decay_t enable_if_t integral_constant is_base_of_v is_const_v is_floating_point_v is_integral_v is_same_v is_trivially_copyable_v is_trivially_destructible_v remove_cvref_t remove_reference_t type_identity_t"},
     {"unordered_map", "unordered_map"},
     {"unordered_set", "unordered_set"},
-    {"utility", "as_const declval exchange forward index_sequence integer_sequence make_index_sequence make_integer_sequence move pair swap"},
+    {"utility",
+     "as_const declval exchange forward index_sequence integer_sequence make_index_sequence make_integer_sequence move pair swap"},
     {"variant", "variant"},
     {"vector", "vector"},
 };

@@ -73,20 +73,20 @@ fs::path target_of(const fs::path& path) {
     return at;
 }
 
-/// Name of a new, empty file next to `file`, with the permissions of `file`; empty, with errno set, if it
-/// cannot be made.
-std::string temporary_beside(const std::string& file) {
+/// Makes a new, empty file next to `file`, with its permissions. `name`: of the new file, guarded before that
+/// is there; empty, with errno set, if it cannot be made.
+void make_beside(const std::string& file, std::string& name) {
     int made = -1;
-    std::string name;
     for (int i = 0; made < 0; ++i) {
         name = fmt::format("{}.{}-{}.tmp", file, getpid(), i);
+        guard(name.c_str());
         made = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (made < 0 && errno != EEXIST) return {};
+        if (made < 0) stop_guarding(name.c_str());
+        if (made < 0 && errno != EEXIST) return name.clear();
     }
     struct stat before {};
     if (stat(file.c_str(), &before) == 0) static_cast<void>(fchmod(made, before.st_mode & 07777));
     close(made);
-    return name;
 }
 
 }  // namespace
@@ -115,12 +115,11 @@ OutputPlace output_place(const std::string& path) {
 }
 
 OutputFile::OutputFile(const std::string& path) : path_(path), place_(output_place(path)) {
-    if (place_.is_replaced) temporary_ = temporary_beside(place_.file);
+    if (place_.is_replaced) make_beside(place_.file, temporary_);
     const int error = errno;
     // A file in a folder that takes no new one, or a file that is mounted: it can still be written in place.
     place_.is_replaced = !temporary_.empty();
     if (!place_.is_replaced && !fs::exists(place_.file)) fail(error);
-    if (place_.is_replaced) guard(temporary_.c_str());
     stream_.open(place_.is_replaced ? temporary_ : place_.file, std::ios::binary);
     if (stream_) return;
     const int refused = errno;
