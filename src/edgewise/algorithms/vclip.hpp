@@ -42,27 +42,41 @@ namespace edgewise {
 
 namespace vclip {
 
+/// Runs a state as a function of its own.
+template <auto state, class Mine, class Theirs>
+[[nodiscard]] EDGEWISE_QUERY_LOOP Step run_apart(Body<Mine>& mine, Body<Theirs>& theirs) {
+    return state(mine, theirs);
+}
+
+/// Runs a state, with derived planes as a function of its own, for both orders of the bodies: all inlined, a
+/// query is 100 KB of code, three times the first cache level. Time of lean_f64 0.93 to 1.0, to compile 0.83.
+template <auto state, class Mine, class Theirs>
+[[nodiscard]] Step run_state(Body<Mine>& mine, Body<Theirs>& theirs) {
+    if constexpr (EndsAtFeatures<Mine>) return run_apart<state>(mine, theirs);
+    return state(mine, theirs);
+}
+
 /// Runs one state; the kinds of the pair's two features select it.
 template <class TableA, class TableB>
 [[nodiscard]] Step step(Body<TableA>& a, Body<TableB>& b) {
     using enum FeatureKind;
     switch (pair_of(a.feature.kind(), b.feature.kind())) {
         case pair_of(vertex, vertex):
-            return vertex_vertex(a, b);
+            return run_state<&vertex_vertex<TableA, TableB>>(a, b);
         case pair_of(vertex, edge):
-            return vertex_edge(a, b);
+            return run_state<&vertex_edge<TableA, TableB>>(a, b);
         case pair_of(edge, vertex):
-            return vertex_edge(b, a);
+            return run_state<&vertex_edge<TableB, TableA>>(b, a);
         case pair_of(vertex, face):
-            return vertex_face(a, b);
+            return run_state<&vertex_face<TableA, TableB>>(a, b);
         case pair_of(face, vertex):
-            return vertex_face(b, a);
+            return run_state<&vertex_face<TableB, TableA>>(b, a);
         case pair_of(edge, edge):
-            return edge_edge(a, b);
+            return run_state<&edge_edge<TableA, TableB>>(a, b);
         case pair_of(edge, face):
-            return edge_face(a, b);
+            return run_state<&edge_face<TableA, TableB>>(a, b);
         case pair_of(face, edge):
-            return edge_face(b, a);
+            return run_state<&edge_face<TableB, TableA>>(b, a);
     }
     assert(false && "two faces are no state");
     return Step::separated;
@@ -135,9 +149,8 @@ inline constexpr int most_proofs = 3;
 /// Answers with the closest points of the pair that a query has reached after `steps` steps, where the proof
 /// is tried and holds.
 template <class TableA, class TableB>
-[[nodiscard]] bool proven_at([[maybe_unused]] bool hardened, [[maybe_unused]] int steps,
-                             [[maybe_unused]] const Body<TableA>& a, [[maybe_unused]] const Body<TableB>& b,
-                             [[maybe_unused]] Distance& result) {
+[[nodiscard]] bool proven_at(bool hardened, int steps, const Body<TableA>& a, const Body<TableB>& b,
+                             Distance& result) {
     if constexpr (EndsAtFeatures<TableA> && EndsAtFeatures<TableB>) {
         if (!hardened || steps > most_proofs) return false;
         const auto closest = still_closest(a, b);
@@ -307,10 +320,21 @@ struct VClip {
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
-        if constexpr (compute_alike<TableA, TableB>())
-            return answer(a, b, a_from_b, pair, options, observer);
-        else
+        if constexpr (compute_alike<TableA, TableB>()) {
+            assert(holds_features(a) && holds_features(b) &&
+                   "V-Clip needs tables built with Parts::features");
+            const auto& transform = in_scalar<ComputeOf<TableA>>(a_from_b);
+            if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
+                if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
+                if (options.hardened) return vclip::hand_on(a, b, transform, pair, options, observer);
+            }
+            if constexpr (!is_looked_at<TableA, Observer>)
+                if (options.hardened) [[likely]]
+                    return vclip::run(a, b, transform, pair, options);
+            return vclip::run_observed(a, b, transform, pair, options, observer);
+        } else {
             return {};
+        }
     }
 
   private:
@@ -319,22 +343,6 @@ struct VClip {
     [[nodiscard]] static bool holds_features(const Table& table) {
         if constexpr (requires { table.facts(); }) return table.facts().parts == Parts::features;
         return true;
-    }
-
-    template <class TableA, class TableB, class Observer>
-    [[nodiscard]] static Distance answer(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
-                                         FeaturePair<TableA, TableB>& pair, const QueryOptions& options,
-                                         Observer& observer) {
-        assert(holds_features(a) && holds_features(b) && "V-Clip needs tables built with Parts::features");
-        const auto& transform = in_scalar<ComputeOf<TableA>>(a_from_b);
-        if (!is_within<ComputeOf<TableA>>(a_from_b, sloppy_rotation * sloppy_rotation)) [[unlikely]] {
-            if (!is_answerable<ComputeOf<TableA>>(a_from_b)) return {};
-            if (options.hardened) return vclip::hand_on(a, b, transform, pair, options, observer);
-        }
-        if constexpr (!is_looked_at<TableA, Observer>)
-            if (options.hardened) [[likely]]
-                return vclip::run(a, b, transform, pair, options);
-        return vclip::run_observed(a, b, transform, pair, options, observer);
     }
 };
 
