@@ -160,7 +160,9 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
-edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return std::max(a.vertex_count(), b.vertex_count()) <= most_scanned;]] [[return false;]]
+edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[if (std::max(a.vertex_count(), b.vertex_count()) <= most_scanned)]] [[if (false)]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(long_walks_over_large_bodies_go_on algorithms/vclip/nearer_start.hpp [[return steps_before_climb;]] [[return -1;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, first};]] [[pair = {a, b, end};]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)

@@ -221,9 +221,8 @@ struct Gjk {
     [[nodiscard]] static Distance query(const TableA& a, const TableB& b, const Transform<double>& a_from_b,
                                         SimplexPair<TableA, TableB>& pair, const QueryOptions& options = {},
                                         Observer&& observer = {}) {
-        // In place: a copy of the answer would wait for the query's last stores (80 instead of 67 ns).
+        Distance result;  // not of an inner scope: its copy would wait for the query's last stores (g++ 12)
         if constexpr (compute_alike<TableA, TableB>()) {
-            Distance result;
             if (!is_answerable(a, b, a_from_b)) [[unlikely]]
                 return result;
             const auto& transform = in_scalar<ComputeOf<TableA>>(a_from_b);
@@ -243,10 +242,8 @@ struct Gjk {
             else
                 run_gjk(a, b, transform, pair, options, result);
             apply_tolerance(options, result);
-            return result;
-        } else {
-            return {};
         }
+        return result;
     }
 };
 

@@ -42,7 +42,6 @@ namespace edgewise {
 
 namespace vclip {
 
-/// Runs a state as a function of its own.
 template <auto state, class Mine, class Theirs>
 [[nodiscard]] EDGEWISE_QUERY_LOOP Step run_apart(Body<Mine>& mine, Body<Theirs>& theirs) {
     return state(mine, theirs);

@@ -101,7 +101,7 @@ FarSteps ask_moving(const char* shape, NextRotation next) {
 
 /// In any pose the last features are no start. The pair knows after the first long walk.
 TEST(NearerStart, ShortensWalksInAnyPose) {
-    for (const char* shape : {"cube8", "sphere38"}) {
+    for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
         const auto any = [](scene::Rng& rng, const Mat3d&) { return rng.rotation(); };
         const FarSteps all = ask_moving<aos<f64>>(shape, any);
         EXPECT_LT(all.steps, 0.6 * all.raw);
@@ -119,7 +119,7 @@ auto turning_by(double angle) {
 
 /// Bodies that hardly turn start from their last features, also after a large turn.
 TEST(NearerStart, IsNotLookedForAfterSmallMotion) {
-    for (const char* shape : {"cube8", "sphere38"}) {
+    for (const char* shape : {"cube8", "sphere38", "sphere386"}) {
         const FarSteps all = ask_moving<aos<f64>>(shape, turning_by(0.01));
         EXPECT_LT(all.far, 0.05 * all.queries);
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A start nearer than the present features: the vertices that face each other along the line between the
-// origins. V-Clip walks from its start, one feature a step, so a cold start or a large turn costs a walk over
-// the body. Scans and climbs find these vertices at a fraction of a state's cost per vertex, from a seed
-// (layout_parts/seeds.hpp) in a few steps. Boxes have a start of their own (box_start.hpp). Departure: the
-// report starts anywhere.
+// origins. V-Clip walks from its start, so a cold start or a large turn costs a walk over the body. Scans and
+// climbs find these vertices at a fraction of a state's cost per vertex, from a seed (layout_parts/seeds.hpp)
+// in a few steps. Boxes have a start of their own (box_start.hpp). Departure: the report starts anywhere.
 #pragma once
 
 #include <algorithm>
@@ -35,12 +34,15 @@ template <class Table>
 /// scanned: the pair's next query looks for a nearer start first, and goes on doing so until there is none.
 /// If both bodies have more vertices than most_walked, the run itself looks for one, too. Time of aos_f64
 /// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 0.98 /
-/// 1.03 / 0.61, spheres of 38 vertices 0.95 / 0.60 / 0.66, a mesh of 44 vertices 0.97 / 0.95 / 0.81; after
-/// four steps boxes 1.05 / 0.98 / 0.60, spheres 1.05 / 0.62 / 0.66. On its way alone boxes took 1.01 / 1.21 /
-/// 0.88. Without seeds a climb from far off costs too much of the gain: aos_f64 at 386 vertices and 0.1 rad
-/// took 1.14.
+/// 1.03 / 0.61, spheres of 38 vertices 0.95 / 0.60 / 0.66; after four steps boxes 1.05 / 0.98 / 0.60. On its
+/// way alone boxes took 1.01 / 1.21 / 0.88.
 inline constexpr int steps_before_search = 5;
 inline constexpr std::size_t most_walked = 16;
+
+/// The same without seeds, where a search climbs from far off; a Zen 4, 0.1 / 0.3 / 1 rad / any pose: spheres
+/// of 386 vertices 1.0 / 0.91 / 0.47 / 0.44, of 1538 1.0 / 0.56 / 0.39 / 0.39, discs 1.0 / 1.02 / 0.95 / 0.71
+/// and 1.03 / 1.20 / 0.90 / 0.67. After 16 spheres gain more at 0.3 rad (0.79), discs lose (1.28).
+inline constexpr int steps_before_climb = 24;
 
 template <class TableA, class TableB>
 inline constexpr bool are_boxes = BoxFeatureTable<TableA>&& BoxFeatureTable<TableB>;
@@ -49,9 +51,6 @@ inline constexpr bool are_boxes = BoxFeatureTable<TableA>&& BoxFeatureTable<Tabl
 /// box_f64 with one / two / three, 0.01 / 0.1 / 1 rad per step / any pose: 97, 126, 158, 179 / 94, 121, 167,
 /// 189 / 90, 113, 195, 211 ns; after five and not on the way 93, 114, 257, 261.
 inline constexpr int steps_before_search_of_boxes = 2;
-
-template <class TableA, class TableB>
-inline constexpr bool have_seeds = SeededTable<TableA>&& SeededTable<TableB>;
 
 /// Returns true if the features are those of a cold start; a warm pair almost never has them.
 template <class TableA, class TableB>
@@ -107,13 +106,16 @@ template <BoxFeatureTable TableA, BoxFeatureTable TableB>
     return Start::nearer;
 }
 
-/// Returns true if a search finds nearer starts of both tables in little time.
+/// Steps after which a run looks for a nearer start; -1: never, where that would scan large bodies.
 template <class TableA, class TableB>
-[[nodiscard]] bool are_searched([[maybe_unused]] const TableA& a, [[maybe_unused]] const TableB& b) {
-    if constexpr (have_seeds<TableA, TableB>) return true;
-    if constexpr (CountedTable<TableA> && CountedTable<TableB>)
-        return std::max(a.vertex_count(), b.vertex_count()) <= most_scanned;
-    return false;
+[[nodiscard]] int most_steps_on_foot([[maybe_unused]] const TableA& a, [[maybe_unused]] const TableB& b) {
+    if constexpr (are_boxes<TableA, TableB>) return steps_before_search_of_boxes;
+    if constexpr (SeededTable<TableA> && SeededTable<TableB>) return steps_before_search;
+    if constexpr (CountedTable<TableA> && CountedTable<TableB>) {
+        if (std::max(a.vertex_count(), b.vertex_count()) <= most_scanned) return steps_before_search;
+        if (may_climb(a) && may_climb(b)) return steps_before_climb;
+    }
+    return -1;
 }
 
 /// What is known of a run.
@@ -132,8 +134,7 @@ template <class TableA, class TableB>
         if (start == Start::overlaps) return {.overlaps = true};
         if (start == Start::nearer && !is_cold) return {.moved_far = true};
     }
-    if (is_cold || !are_searched(a.table, b.table)) return {};
-    return {1 + (are_boxes<TableA, TableB> ? steps_before_search_of_boxes : steps_before_search)};
+    return {is_cold ? 0 : 1 + most_steps_on_foot(a.table, b.table)};
 }
 
 /// Looks for a nearer start of a run that has moved far, where its walk would be long.
