@@ -73,9 +73,9 @@ edgewise_mutant(height_of_any_vertex algorithms/support.hpp [[return highest <= 
     GreatestHeight.* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(height_in_a_dent algorithms/support.hpp [[if (!table.strictly_convex()) return std::nullopt;]] [[]]
     GreatestHeight.* ${unit}/algorithms/support_test.cpp)
-edgewise_mutant(far_pairs_ask_corners_first algorithms/vclip.hpp [[first = next_try(result, false);]] [[]]
+edgewise_mutant(far_pairs_ask_corners_first algorithms/vclip.hpp [[first = next_try(result, FirstTry::walk);]] [[]]
     CloseBodies.* ${unit}/algorithms/kept_simplex_test.cpp)
-edgewise_mutant(close_pairs_walk_first algorithms/vclip.hpp [[return is_close ? FirstTry::corners : FirstTry::walk;]] [[return FirstTry::walk;]]
+edgewise_mutant(close_pairs_walk_first algorithms/vclip.hpp [[return is_close && known != FirstTry::nearer_start ? FirstTry::corners : known;]] [[return known;]]
     CloseBodies.* ${unit}/algorithms/kept_simplex_test.cpp)
 edgewise_mutant(kept_edges_are_lines algorithms/kept_simplex.hpp [[return t >= 0 && t <= 1;]] [[return true;]]
     KeptSimplex.* ${unit}/algorithms/kept_simplex_test.cpp)
@@ -160,9 +160,11 @@ edgewise_mutant(proof_of_flat_bodies layout_parts/derived/derived_ends.hpp [[ret
     StillClosest.ProvesNothing* ${unit}/algorithms/still_closest_test.cpp)
 edgewise_mutant(far_off_simplex_kept algorithms/gjk_start.hpp [[return squared > farthest * farthest;]] [[return farthest < 0;]]
     MovedFar.* ${unit}/algorithms/moved_far_test.cpp)
-edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[if (std::max(a.vertex_count(), b.vertex_count()) <= most_scanned)]] [[if (false)]]
+edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return is_small(a) && is_small(b) ? steps_before_search]] [[return is_small(a) && is_small(b) ? -1]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(long_walks_over_large_bodies_go_on algorithms/vclip/nearer_start.hpp [[return steps_before_climb;]] [[return -1;]]
+edgewise_mutant(long_walks_over_large_bodies_go_on algorithms/vclip/nearer_start.hpp [[: steps_before_climb;]] [[: -1;]]
+    NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
+edgewise_mutant(useless_starts_are_sought_again algorithms/vclip.hpp [[known.next = FirstTry::walk_on;]] [[;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, first};]] [[pair = {a, b, end};]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
@@ -174,7 +176,7 @@ edgewise_mutant(box_points_stay algorithms/vclip/box_start.hpp [[            mov
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
 edgewise_mutant(box_start_leaves_the_end algorithms/vclip/nearer_start.hpp [[!(points.squared_distance() < squared_norm]] [[!(0 < squared_norm]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
-edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[known.moved_far &= steps == std::max(known.far_off, 1);]] [[]]
+edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[if (steps != std::max(known.far_off, 1)) known.next = FirstTry::walk;]] [[;]]
     NearerStart.OfBoxes* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)

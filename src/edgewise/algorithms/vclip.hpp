@@ -170,11 +170,10 @@ template <class TableA, class TableB>
     return false;
 }
 
-/// What the next query tries first after this answer.
-[[nodiscard]] inline FirstTry next_try(const Distance& result, bool moved_far) {
-    if (moved_far) return FirstTry::nearer_start;
+/// What the next query tries first after this answer, of bodies with motion that asks for `known`.
+[[nodiscard]] inline FirstTry next_try(const Distance& result, FirstTry known) {
     const bool is_close = result.refinements > 0 && result.status == Status::separated;
-    return is_close ? FirstTry::corners : FirstTry::walk;
+    return is_close && known != FirstTry::nearer_start ? FirstTry::corners : known;
 }
 
 /// Walks to the closest features. `hardened`: as in QueryOptions; `first`: as in answer_from; `result`: an
@@ -211,8 +210,11 @@ void walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened, F
     }
     if (hardened) believe(result, a, b, observer, end);
     // Search again only after a start that was the end: else a pair at rest would leave its features.
-    if constexpr (are_boxes<TableA, TableB>) known.moved_far &= steps == std::max(known.far_off, 1);
-    first = next_try(result, known.moved_far);
+    if constexpr (are_boxes<TableA, TableB>)
+        if (steps != std::max(known.far_off, 1)) known.next = FirstTry::walk;
+    if (known.next == FirstTry::nearer_start && steps - known.far_off > 2 * steps_before_climb)
+        known.next = FirstTry::walk_on;
+    first = next_try(result, known.next);
     result.steps = steps;
     result.cycles = end == End::cycled;
     result.escapes = escapes;
@@ -227,7 +229,7 @@ template <class TableA, class TableB>
     if (!try_corners(a, b, result)) return false;
     result.steps = 1;
     result.refinements = result.distance <= untrusted<TableA, TableB> * pair_size(a, b);
-    first = next_try(result, false);
+    first = next_try(result, FirstTry::walk);
     return true;
 }
 

@@ -32,6 +32,7 @@ enum class FirstTry : std::uint8_t {
     walk,          ///< from the last features
     nearer_start,  ///< they were far from those before (nearer_start.hpp)
     corners,       ///< of the last features: the bodies were too close for the states' arithmetic
+    walk_on,       ///< from the last features, however far: a nearer start shortened no walk
 };
 
 /// Handles of any kind, each marked with its table.

@@ -34,14 +34,14 @@ template <class Table>
 /// scanned: the pair's next query looks for a nearer start first, and goes on doing so until there is none.
 /// If both bodies have more vertices than most_walked, the run itself looks for one, too. Time of aos_f64
 /// over that without looking first, 0.1 / 1 rad per step / in any pose, a Xeon with AVX-512: boxes 0.98 /
-/// 1.03 / 0.61, spheres of 38 vertices 0.95 / 0.60 / 0.66; after four steps boxes 1.05 / 0.98 / 0.60. On its
-/// way alone boxes took 1.01 / 1.21 / 0.88.
+/// 1.03 / 0.61, spheres of 38 vertices 0.95 / 0.60 / 0.66. On its way alone boxes took 1.01 / 1.21 / 0.88.
 inline constexpr int steps_before_search = 5;
 inline constexpr std::size_t most_walked = 16;
 
-/// The same without seeds, where a search climbs from far off; a Zen 4, 0.1 / 0.3 / 1 rad / any pose: spheres
-/// of 386 vertices 1.0 / 0.91 / 0.47 / 0.44, of 1538 1.0 / 0.56 / 0.39 / 0.39, discs 1.0 / 1.02 / 0.95 / 0.71
-/// and 1.03 / 1.20 / 0.90 / 0.67. After 16 spheres gain more at 0.3 rad (0.79), discs lose (1.28).
+/// The same without seeds, where a search climbs from far off. Where a run takes twice as many steps from a
+/// nearer start, as between prisms, the pair walks on from then on. A Zen 4, 0.3 / 1 rad per step / any pose:
+/// spheres of 386 vertices 0.91 / 0.48 / 0.45, of 1538 0.56 / 0.40 / 0.40, ellipsoids 1.04 / 0.87 / 0.69 and
+/// 1.10 / 0.93 / 0.97; at most 1.15 (discs of 1538, 0.5 rad). After 16 steps discs take up to 1.28.
 inline constexpr int steps_before_climb = 24;
 
 template <class TableA, class TableB>
@@ -106,15 +106,13 @@ template <BoxFeatureTable TableA, BoxFeatureTable TableB>
     return Start::nearer;
 }
 
-/// Steps after which a run looks for a nearer start; -1: never, where that would scan large bodies.
+/// Steps after which a run looks for a nearer start; -1: never.
 template <class TableA, class TableB>
 [[nodiscard]] int most_steps_on_foot([[maybe_unused]] const TableA& a, [[maybe_unused]] const TableB& b) {
     if constexpr (are_boxes<TableA, TableB>) return steps_before_search_of_boxes;
     if constexpr (SeededTable<TableA> && SeededTable<TableB>) return steps_before_search;
-    if constexpr (CountedTable<TableA> && CountedTable<TableB>) {
-        if (std::max(a.vertex_count(), b.vertex_count()) <= most_scanned) return steps_before_search;
-        if (may_climb(a) && may_climb(b)) return steps_before_climb;
-    }
+    if constexpr (CountedTable<TableA> && CountedTable<TableB>)
+        return is_small(a) && is_small(b) ? steps_before_search : steps_before_climb;
     return -1;
 }
 
@@ -122,17 +120,18 @@ template <class TableA, class TableB>
 struct Outlook {
     int far_off = 0;  ///< the step before which the run is known to have moved far; 0: never
     bool overlaps = false;
-    bool moved_far = false;  ///< the next query looks for a nearer start first
+    FirstTry next = FirstTry::walk;  ///< what the next query tries first
 };
 
 /// Moves a pair that starts cold, or moved far before, to a nearer start.
 template <class TableA, class TableB>
 [[nodiscard]] Outlook start_nearer_if_far(Body<TableA>& a, Body<TableB>& b, FirstTry first) {
     const bool is_cold = start_is_cold(a, b);
+    if (first == FirstTry::walk_on && !is_cold) return {.next = first};
     if (is_cold || first == FirstTry::nearer_start) {
         const Start start = start_nearer(a, b);
         if (start == Start::overlaps) return {.overlaps = true};
-        if (start == Start::nearer && !is_cold) return {.moved_far = true};
+        if (start == Start::nearer && !is_cold) return {.next = FirstTry::nearer_start};
     }
     return {is_cold ? 0 : 1 + most_steps_on_foot(a.table, b.table)};
 }
@@ -142,7 +141,7 @@ template <class TableA, class TableB>
 void start_nearer_on_the_way(Body<TableA>& a, Body<TableB>& b, Outlook& known) {
     const bool is_short = std::min(a.table.vertex_count(), b.table.vertex_count()) <= most_walked;
     const Start start = is_short && !are_boxes<TableA, TableB> ? Start::nearer : start_nearer(a, b);
-    known.moved_far = start == Start::nearer;
+    if (start == Start::nearer) known.next = FirstTry::nearer_start;
     known.overlaps = start == Start::overlaps;
 }
 
