@@ -164,7 +164,7 @@ edgewise_mutant(long_walks_go_on algorithms/vclip/nearer_start.hpp [[return is_s
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(long_walks_over_large_bodies_go_on algorithms/vclip/nearer_start.hpp [[: steps_before_climb;]] [[: -1;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
-edgewise_mutant(useless_starts_are_sought_again algorithms/vclip.hpp [[known.next = FirstTry::walk_on;]] [[;]]
+edgewise_mutant(useless_starts_are_sought_again algorithms/vclip/nearer_start.hpp [[steps_before_climb ? FirstTry::walk_on : known.next;]] [[steps_before_climb ? known.next : known.next;]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(far_moves_forgotten algorithms/vclip.hpp [[pair = {a, b, end, first};]] [[pair = {a, b, end};]]
     NearerStart.* ${unit}/algorithms/nearer_start_test.cpp)
@@ -176,7 +176,7 @@ edgewise_mutant(box_points_stay algorithms/vclip/box_start.hpp [[            mov
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
 edgewise_mutant(box_start_leaves_the_end algorithms/vclip/nearer_start.hpp [[!(points.squared_distance() < squared_norm]] [[!(0 < squared_norm]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)
-edgewise_mutant(box_start_is_remembered algorithms/vclip.hpp [[if (steps != std::max(known.far_off, 1)) known.next = FirstTry::walk;]] [[;]]
+edgewise_mutant(box_start_is_remembered algorithms/vclip/nearer_start.hpp [[return steps == std::max(known.far_off, 1) ? known.next : FirstTry::walk;]] [[return known.next;]]
     NearerStart.OfBoxes* ${unit}/algorithms/nearer_start_test.cpp)
 edgewise_mutant(box_overlap_by_two_axes algorithms/vclip/box_start.hpp [[std::abs(in_a(0)) < half_a_[0] - margin && ]] [[]]
     BoxStart.* ${unit}/algorithms/box_verdict_test.cpp)

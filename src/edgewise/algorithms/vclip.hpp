@@ -141,8 +141,7 @@ void believe(Distance& result, Body<TableA>& a, Body<TableB>& b, Observer& obser
 /// Number of pairs of a query that are tried by their corners before their states. Time of lean_f64 over
 /// aos_f64, a Zen 3 with other load, in a loop of queries alone (a sweep's passes show some hundredths more),
 /// 0.01 rad per step, at 8, 38, 386 vertices: with one 1.16, 1.13, 1.30, two 1.09, 1.03, 1.18, three 1.09,
-/// 1.02, 1.07, nine no less. At 1 rad 2.2, 1.83, 1.75 whatever their number up to three: a pair far off is
-/// not proven, and its state moves it on.
+/// 1.02, 1.07, nine no less. A pair far off is not proven: its state moves it on.
 inline constexpr int most_proofs = 3;
 
 /// Answers with the closest points of the pair that a query has reached after `steps` steps, where the proof
@@ -159,8 +158,7 @@ template <class TableA, class TableB>
     return false;
 }
 
-/// Returns true if the pair that a query has reached after `steps` steps is known to overlap: two boxes by a
-/// point of both, others by an edge that pierces a face.
+/// Returns true if the pair after `steps` steps overlaps: boxes by a point of both, others by a pierced face.
 template <class TableA, class TableB>
 [[nodiscard]] bool overlaps_at(const Outlook& known, bool hardened, int steps, const Body<TableA>& a,
                                const Body<TableB>& b) {
@@ -209,12 +207,7 @@ void walk(Body<TableA>& a, Body<TableB>& b, Observer& observer, bool hardened, F
         break;
     }
     if (hardened) believe(result, a, b, observer, end);
-    // Search again only after a start that was the end: else a pair at rest would leave its features.
-    if constexpr (are_boxes<TableA, TableB>)
-        if (steps != std::max(known.far_off, 1)) known.next = FirstTry::walk;
-    if (known.next == FirstTry::nearer_start && steps - known.far_off > 2 * steps_before_climb)
-        known.next = FirstTry::walk_on;
-    first = next_try(result, known.next);
+    first = next_try(result, next_after<TableA, TableB>(known, steps));
     result.steps = steps;
     result.cycles = end == End::cycled;
     result.escapes = escapes;
