@@ -51,7 +51,7 @@ template <auto state, class Mine, class Theirs>
 /// query is 100 KB of code, three times the first cache level. Time of lean_f64 0.93 to 1.0, to compile 0.83.
 template <auto state, class Mine, class Theirs>
 [[nodiscard]] Step run_state(Body<Mine>& mine, Body<Theirs>& theirs) {
-    if constexpr (EndsAtFeatures<Mine>) return run_apart<state>(mine, theirs);
+    if constexpr (EndsAtFeatures<Mine> && !is_traced<Mine>) return run_apart<state>(mine, theirs);
     return state(mine, theirs);
 }
 
