@@ -115,9 +115,12 @@ std::vector<std::pair<std::string, std::string>> ReportData::meta_with(std::stri
     return found;
 }
 
+std::vector<const ReportCell*> ReportData::rows() const {
+    return cells_in({&cells, &from_files, &stability, &paging, &thrash, &effort, &fields, &other_studies});
+}
+
 bool ReportData::any_failed() const {
-    return std::ranges::any_of(cells_in({&cells, &from_files, &stability, &effort, &fields, &other_studies}),
-                               [](const ReportCell* row) { return row->failed(); });
+    return std::ranges::any_of(rows(), [](const ReportCell* row) { return row->failed(); });
 }
 
 ReportData read_report(const std::string& store, const std::string& build, const store::OnCell& on_cell) {

@@ -52,7 +52,9 @@ struct ReportData {
     [[nodiscard]] std::vector<const ReportCell*> swept() const { return cells_in({&cells, &from_files}); }
     [[nodiscard]] std::size_t cell_count() const { return cells.size() + from_files.size(); }
     [[nodiscard]] std::size_t count(store::CellStatus status) const;  ///< of all cells
-    [[nodiscard]] bool any_failed() const;                            ///< cell or stability row
+    /// The sweep's cells and the rows of all studies; no peers.
+    [[nodiscard]] std::vector<const ReportCell*> rows() const;
+    [[nodiscard]] bool any_failed() const;  ///< of rows()
     /// Returns the value of `meta` for a key; null if there is none.
     [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
     /// Returns the names that follow a key (store/schema.hpp), with their values; by name.

@@ -34,8 +34,7 @@ std::string one_or_many(const std::set<std::string>& names, const char* noun) {
 void add_status(TextGrid& grid, const ReportData& data, store::CellStatus status) {
     std::vector<std::pair<std::string, std::string>> order;
     std::map<std::pair<std::string, std::string>, Problem> problems;
-    for (const ReportCell* row : cells_in({&data.cells, &data.from_files, &data.stability, &data.paging,
-                                           &data.effort, &data.fields, &data.other_studies})) {
+    for (const ReportCell* row : data.rows()) {
         if (row->status != status) continue;
         const auto key = std::make_pair(row->shape, row->reason);
         Problem& problem = problems[key];

@@ -70,12 +70,9 @@ std::string outer_caches(const nlohmann::json& machine) {
     std::string out;
     if (!machine.contains("caches") || !machine["caches"].is_array()) return out;
     for (const nlohmann::json& cache : machine["caches"]) {
-        const int level = cache.value("level", 0);
-        const auto bytes = cache.value("bytes", 0.0);
-        if (level < 2 || !(bytes > 0)) continue;
-        const bool small = bytes < mebibyte;
-        append(out, fmt::format("L{} {:.3g} {}", level, bytes / (small ? kibibyte : mebibyte),
-                                small ? "KiB" : "MiB"));
+        const auto level = input::member_of(cache, "level"), bytes = input::member_of(cache, "bytes");
+        if (!level.is_number() || !bytes.is_number() || level.get<int>() < 2) continue;
+        append(out, fmt::format("L{} {}", level.get<int>(), size_text(bytes.get<double>())));
     }
     return out;
 }

@@ -143,7 +143,7 @@ static_assert(body_bytes == {body}, "a body no longer takes {body} bytes");
 }}  // namespace edgewise_lock::{table}
 )",
         fmt::arg("table", type.name), fmt::arg("algorithm", options.cell.algorithm),
-        fmt::arg("shape", options.cell.shape), fmt::arg("layouts", "edgewise/layouts"),
+        fmt::arg("shape", lock.condition("shape", "")), fmt::arg("layouts", "edgewise/layouts"),
         fmt::arg("file", file), fmt::arg("layout", type.layout), fmt::arg("precision", type.precision),
         fmt::arg("type", options.cell.algorithm == "gjk" ? "Gjk" : "VClip"),
         fmt::arg("vertices", lock.condition("vertices", "")), fmt::arg("edges", lock.condition("edges", "")),

@@ -41,7 +41,10 @@ const char* remedy(int code) {
 }
 
 /// The path, in a form that SQLite takes for a file: a name that begins with a colon would be a database in
-/// memory. Throws for a device or a pipe, which SQLite would open, and leave a journal next to it.
+/// memory.
+std::string as_file(const std::string& path) { return path.starts_with(':') ? "./" + path : path; }
+
+/// The path in the same form. Throws for a device or a pipe: SQLite would open it and leave a journal there.
 std::string file_to_write(const std::string& path) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -49,7 +52,7 @@ std::string file_to_write(const std::string& path) {
         throw std::runtime_error(
             fmt::format("store {}: is {}: name a file; nothing was written", path,
                         std::filesystem::is_directory(status) ? "a folder" : "a device, a pipe or the like"));
-    return path.starts_with(':') ? "./" + path : path;
+    return as_file(path);
 }
 
 /// URI of the file, for SQLite to treat it as immutable: then it makes no log and no shared memory next to
@@ -72,7 +75,7 @@ bool is_writable(const std::filesystem::path& path) {
 }  // namespace
 
 Database::Database(const std::string& path)
-    : Database(file_to_write(path), path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
+    : Database(path, file_to_write(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE) {}
 
 Database Database::for_reading(const std::string& path) {
     std::error_code ignored;
@@ -83,9 +86,10 @@ Database Database::for_reading(const std::string& path) {
     const auto log = std::filesystem::file_size(path + "-wal", ignored);
     const bool has_log = !ignored && log > 0;
     // A connection that may write removes the log that it made when it ends; one that only reads leaves it.
-    if (is_writable(path)) return {path, path, SQLITE_OPEN_READWRITE, has_log};
-    if (has_log) return {path, path, SQLITE_OPEN_READONLY};
-    return {path, immutable_uri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
+    const std::string file = as_file(path);
+    if (is_writable(path)) return {path, file, SQLITE_OPEN_READWRITE, has_log};
+    if (has_log) return {path, file, SQLITE_OPEN_READONLY};
+    return {path, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
 }
 
 Database::Database(const std::string& path, const std::string& name, int flags, bool leaves_log)

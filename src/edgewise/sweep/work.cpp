@@ -122,7 +122,10 @@ const scene::NamedShape* kept_shape(const scene::NamedShape& shape, SweepWork& w
 
 /// Adds one scene for each point of the file.
 void add_scene_file(const scene::SceneFile& file, const SceneChoice& choice, SweepWork& work) {
-    check_names(choice, {});
+    std::vector<const scene::NamedShape*> bodies;
+    for (const scene::NamedShape& shape : file.shapes) bodies.push_back(&shape);
+    for (const scene::NamedShape& shape : work.shapes) bodies.push_back(&shape);
+    check_names(choice, bodies);
     SceneWork scene = unplaced_work(choice, work);
     scene.choice.name = file.name;
     scene.kind = file.kind;
@@ -250,7 +253,7 @@ Plan without_unused_meshes(Plan plan) {
     std::erase_if(plan.meshes, [&](const std::string& file) {
         const std::string name = std::filesystem::path(file).stem().string();
         return std::none_of(plan.scenes.begin(), plan.scenes.end(), [&](const SceneChoice& scene) {
-            return allows(scene.shapes, name) && !scene::find_scene_file(scene.name);
+            return allows(scene.shapes, name) && !scene::is_scene_file(scene.name);
         });
     });
     return plan;
@@ -323,7 +326,8 @@ void check_scene_names(const Plan& plan) {
                 fmt::format("scene file {}: its name is that of {}: rename the file", scene.name, owner));
         const auto [first, is_new] = paths.try_emplace(scene_id(name), scene.name);
         std::error_code error;
-        if (!is_new && !std::filesystem::equivalent(first->second, scene.name, error))
+        if (!is_new && first->second != scene.name &&
+            !std::filesystem::equivalent(first->second, scene.name, error))
             throw std::invalid_argument(
                 fmt::format("scene files {} and {} would go by one name, '{}': rename one", first->second,
                             scene.name, first->first));

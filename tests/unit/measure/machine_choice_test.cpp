@@ -131,7 +131,8 @@ TEST(MachineOfSizes, ReadsSizes) {
     EXPECT_EQ(bytes_of_size("1g"), 1ULL << 30);
     EXPECT_EQ(bytes_of_size("256KiB"), 262144U);
     EXPECT_EQ(bytes_of_size("4096"), 4096U);
-    for (const char* wrong : {"", "K", "0K", "256X", "-1K", "1.5M", "99999999999999999999", "9999999999G"})
+    for (const char* wrong :
+         {"", "K", "0K", "256X", "-1K", "1.5M", "4096iB", "99999999999999999999", "9999999999G"})
         EXPECT_EQ(bytes_of_size(wrong), std::nullopt) << wrong;
 }
 

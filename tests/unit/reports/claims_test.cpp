@@ -236,6 +236,8 @@ TEST(Claims, ComeByKindAndSayWhereTheyHold) {
                       : "for seed 7, on this machine: A processor, L2 512 KiB, L3 32 MiB; cc 1");
     }
     EXPECT_EQ(kinds, (std::vector<std::string>{"primary", "mechanism", "background"}));
+    data.build.machine_json = R"({"caches": [7, {"level": "2", "bytes": 1}, {"level": 3, "bytes": "x"}]})";
+    EXPECT_NO_THROW(static_cast<void>(judge_claims(data)));
 }
 
 /// Queries that two table types and two algorithms share count as one sample.

@@ -189,5 +189,16 @@ TEST(EffortTables, StandInTheChapterOfPeers) {
     EXPECT_TRUE(data_with_effort().any_failed());
 }
 
+/// A row of any study that fails is a problem of the report.
+TEST(Problems, AreOfTheRowsOfAllStudies) {
+    for (auto rows : {&ReportData::stability, &ReportData::paging, &ReportData::thrash, &ReportData::effort,
+                      &ReportData::fields, &ReportData::other_studies}) {
+        ReportData data;
+        (data.*rows).emplace_back().status = store::CellStatus::failed;
+        EXPECT_TRUE(data.any_failed());
+        EXPECT_EQ(problems_grid(data).rows.size(), 1U);
+    }
+}
+
 }  // namespace
 }  // namespace edgewise::reports

@@ -258,8 +258,8 @@ TEST(MeshRows, NamesTheLineOfANumber) {
         expect_said(off, ":3: ");
         expect_said(off, said);
     }
-    for (const char* face :
-         {"\n4 0 1 2 8\n", "\n4 0 1 2 -1\n", "\n4 0 1 2 x\n", "\n5 0 1 2 3\n", "\nx 0 1 2 3\n"}) {
+    for (const char* face : {"\n4 0 1 2 8\n", "\n4 0 1 2 -1\n", "\n4 0 1 2 x\n", "\n5 0 1 2 3\n",
+                             "\nx 0 1 2 3\n", "\nx 0 1 2\n", "\nx 0\n"}) {
         const std::string broken = std::regex_replace(off_box(), std::regex("\n4 .*\n"), face,
                                                       std::regex_constants::format_first_only);
         expect_said(off_rows_error(broken), ":11: ");

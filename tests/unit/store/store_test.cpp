@@ -262,6 +262,18 @@ TEST_F(StoreTest, RefusesWhatIsNotItsOwn) {
     expect_refused(path_, "newer program");
 }
 
+/// To SQLite, names that begin with a colon are databases in memory.
+TEST_F(StoreTest, OfANameThatBeginsWithAColonIsAFile) {
+    const TemporaryFolder folder;
+    const auto before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    Store(":memory:").set_meta("seed", "7");
+    EXPECT_TRUE(std::filesystem::is_regular_file("./:memory:"));
+    EXPECT_NO_THROW(static_cast<void>(sqlite::Database::for_reading(":memory:")));
+    EXPECT_EQ(Store(":memory:").meta("seed"), "7");
+    std::filesystem::current_path(before);
+}
+
 TEST_F(StoreTest, RefusesPathsThatCannotBeAStore) {
     EXPECT_THROW(Store(""), std::runtime_error);
     EXPECT_THROW(Store(directory_.string()), std::runtime_error);

@@ -285,8 +285,8 @@ TEST(GroupText, SaysWhatIsWrongWithAFile) {
     const std::vector<RecordField> fields = {{"a", "one", 4, 4}, {"b", "one", 8, 8}, {"c", "other", 4, 4}};
     EXPECT_EQ(refusal_of(R"({"groups": [["b", "a"], ["c"]]})", fields), "");
     EXPECT_THAT(refusal_of(R"({"groups": [["a"], ["c"]]})", fields), HasSubstr("field 'b' is in no group"));
-    EXPECT_THAT(refusal_of(R"({"groups": [["a", "x"]]})", fields),
-                HasSubstr("unknown field 'x'; known: a, b, c"));
+    EXPECT_THAT(refusal_of(R"({"groups": [["a", "far"]]})", fields),
+                HasSubstr("unknown field 'far'; known: a, b, c"));
     EXPECT_THAT(refusal_of(R"({"groups": [["a", "b"], ["a"], ["c"]]})", fields),
                 HasSubstr("'a' is named twice"));
     EXPECT_THAT(refusal_of(R"({"groups": [["a", "c"], ["b"]]})", fields), HasSubstr("not one record"));

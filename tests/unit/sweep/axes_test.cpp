@@ -189,6 +189,7 @@ TEST(SceneNames, OfOneFileDoNotMeet) {
     const TemporaryFolder folder;
     const std::string path = folder.write("s.json", "{}"), again = folder / "./s.json";
     EXPECT_EQ(complaint({path, again, path}), "");
+    EXPECT_EQ(complaint({"beside_the_builds.jsonl.gz", "beside_the_builds.jsonl.gz"}), "");
 }
 
 }  // namespace

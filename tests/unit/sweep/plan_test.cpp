@@ -288,6 +288,23 @@ TEST_F(PlanFile, LeavesOutOptionalRecordingsThatAreMissing) {
     EXPECT_THAT(complaint_of<std::invalid_argument>([&] { work_of("", said); }), HasSubstr("no such file"));
 }
 
+/// A scene file's own bodies are known where the plan names the bodies of its scene.
+TEST_F(PlanFile, NamesBodiesOfItsSceneFiles) {
+    folder_.write("link.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const std::string scene =
+        folder_.write("links.json", R"({"scene": "cold", "shapes": ["link.obj", "cube8"]})");
+    const auto work_of = [&](const char* body) {
+        return prepare_sweep(
+            make_plan(write(fmt::format(
+                R"({{"scenes": [{{"name": "{}", "shapes": ["{}"], "caches": ["link"]}}], "meshes": []}})",
+                scene, body))),
+            [](const std::string&) {});
+    };
+    ASSERT_EQ(work_of("link").scenes.size(), 1U);
+    EXPECT_EQ(work_of("link").scenes[0].shapes[0]->name, "link");
+    EXPECT_THAT(complaint_of<std::invalid_argument>([&] { work_of("lnik"); }), HasSubstr("lnik"));
+}
+
 TEST_F(PlanFile, BadOnesAreOneClearLine) {
     EXPECT_THAT(error_of("nonesuch"),
                 ::testing::AllOf(HasSubstr("nonesuch"), HasSubstr("quick, paper, full")));

@@ -88,7 +88,7 @@ std::optional<std::uint64_t> bytes_of_size(std::string_view text) {
     const auto value = input::parse_count(text.substr(0, digits), {1, most_level});
     if (!value) return std::nullopt;
     std::string_view unit = text.substr(digits);
-    if (unit.ends_with("iB")) unit.remove_suffix(2);
+    if (unit.size() == 3 && unit.ends_with("iB")) unit.remove_suffix(2);
     constexpr std::string_view units = "KMG";
     int shift = 0;
     if (unit.size() == 1 && units.find(static_cast<char>(unit[0] & ~0x20)) != units.npos)

@@ -132,6 +132,11 @@ class TextRows {
             fail(message(words_.size(), " numbers, and a row of '", element, "' has ", wanted,
                          " here: is a count of the header wrong?"));
     }
+    [[nodiscard]] std::uint64_t count_at(std::size_t place) const {
+        const auto count = count_in(words_[place]);
+        if (!count) fail(message("'", on_one_line(words_[place]), "' is no count"));
+        return *count;
+    }
     void check_coordinate(std::string_view word) const {
         if (const auto value = coordinate_from(word); !value) fail(value.error);
     }
@@ -189,10 +194,8 @@ void check_ply_row(const PlyElement& element, const TextRows& rows, std::uint64_
         const bool is_list = !property.count_type.empty();
         std::uint64_t count = 1;
         if (is_list && at < rows.words().size()) {
-            const auto announced = count_in(rows.words()[at++]);
-            if (!announced || *announced > rows.words().size())
-                rows.check_width(element.name, at + announced.value_or(1));
-            count = announced.value_or(1);
+            count = rows.count_at(at++);
+            if (count > rows.words().size()) rows.check_width(element.name, at + count);
         }
         if (is_list && property.name.starts_with("vertex_ind")) rows.check_corners(at, count, vertices);
         const bool is_coordinate = property.name == "x" || property.name == "y" || property.name == "z";
@@ -264,10 +267,9 @@ void check_off(std::string_view text) {
     }
     for (std::uint64_t row = 0; row < *faces; ++row) {
         rows.need("faces", row, *faces);
-        const auto corners = count_in(rows.words()[0]);
-        if (!corners || *corners >= rows.words().size())
-            rows.check_width("faces", 1 + static_cast<std::size_t>(corners.value_or(3)));
-        rows.check_corners(1, static_cast<std::size_t>(corners.value_or(0)), *vertices);
+        const std::uint64_t corners = rows.count_at(0);
+        if (corners >= rows.words().size()) rows.check_width("faces", 1 + corners);
+        rows.check_corners(1, corners, *vertices);
     }
     rows.end();
 }

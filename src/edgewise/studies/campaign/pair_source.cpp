@@ -2,7 +2,6 @@
 #include "edgewise/studies/campaign/pair_source.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "edgewise/geometry/message.hpp"
 #include "edgewise/geometry/split_mix.hpp"
 #include "edgewise/geometry/tolerance.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/input/shown_text.hpp"
 #include "edgewise/scene/motion.hpp"
 #include "edgewise/scene/rng.hpp"
@@ -307,8 +307,7 @@ void PairSource::add(const std::string& family, const std::vector<std::string>& 
                      const scene::MeshReading& reading) {
     const std::vector<std::string> known = campaign_families();
     if (std::ranges::find(known, family) == known.end())
-        throw std::invalid_argument(
-            fmt::format("unknown family '{}'; known: {}", family, fmt::join(known, ", ")));
+        throw std::invalid_argument(unknown_name("family", family, known));
     if (family != random_family) {
         hard_[family] = &*std::ranges::find(scene::hard_families(), family, &scene::HardFamily::name);
         names_.push_back(family);

@@ -13,6 +13,7 @@
 
 #include "edgewise/input/file_text.hpp"
 #include "edgewise/input/json_text.hpp"
+#include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/cache/lines_touched.hpp"
 
 namespace edgewise::studies {
@@ -246,12 +247,6 @@ Names read_names(const std::string& file) {
         R"({}: {}; wanted: {{"groups": [["tail_plane", "head_plane"], ["direction"]]}})", file, problem));
 }
 
-std::string all_names(std::span<const RecordField> fields) {
-    std::vector<std::string_view> names;
-    for (const RecordField& field : fields) names.push_back(field.name);
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
 }  // namespace
 
 nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordField> fields) {
@@ -266,14 +261,15 @@ nlohmann::json groups_json(const FieldGroups& groups, std::span<const RecordFiel
 FieldGroups read_groups(const std::string& file, std::span<const RecordField> fields) {
     FieldGroups groups;
     std::vector<int> named(fields.size());
+    std::vector<std::string> known;
+    for (const RecordField& field : fields) known.emplace_back(field.name);
     for (const std::vector<std::string>& names : read_names(file)) {
         std::vector<std::uint8_t> group;
         for (const std::string& name : names) {
             const auto found = std::find_if(fields.begin(), fields.end(),
                                             [&](const RecordField& field) { return field.name == name; });
             if (found == fields.end())
-                throw std::invalid_argument(
-                    fmt::format("{}: unknown field '{}'; known: {}", file, name, all_names(fields)));
+                throw std::invalid_argument(fmt::format("{}: {}", file, unknown_name("field", name, known)));
             const auto number = static_cast<std::size_t>(found - fields.begin());
             if (++named[number] > 1)
                 throw std::invalid_argument(fmt::format("{}: '{}' is named twice", file, name));
@@ -288,7 +284,7 @@ FieldGroups read_groups(const std::string& file, std::span<const RecordField> fi
     for (std::size_t i = 0; i < fields.size(); ++i)
         if (named[i] == 0)
             throw std::invalid_argument(fmt::format("{}: field '{}' is in no group; name every one of: {}",
-                                                    file, fields[i].name, all_names(fields)));
+                                                    file, known[i], fmt::join(known, ", ")));
     return groups;
 }
 
