@@ -35,22 +35,6 @@ void make_directory(const std::filesystem::path& out) {
                                              failed ? failed.message() : "it is not a directory"));
 }
 
-/// `no_pdf`: why PDFs are missing.
-ReportSummary summary(const ReportData& data, const StaticPictures& pictures, bool charts,
-                      const std::string& no_pdf, const std::filesystem::path& page) {
-    return {.cells = data.cell_count(),
-            .verified = data.count(store::CellStatus::verified),
-            .failed = data.count(store::CellStatus::failed),
-            .unavailable = data.count(store::CellStatus::unavailable),
-            .build = data.build.id,
-            .page = page.string(),
-            .charts = charts,
-            .pictures = pictures.svg.size(),
-            .note = !charts                 ? "The chart bundles are missing: the report shows tables only."
-                    : pictures.note.empty() ? no_pdf
-                                            : pictures.note};
-}
-
 /// The choice of each scene, what it is compared with, and the best GJK.
 std::set<std::string> few_tables(const Answer& answer) {
     constexpr std::size_t most = 6;
@@ -110,9 +94,9 @@ ReportSummary write_report(const ReportData& data, const std::string& out_direct
     begin("pages");
     input::write_output(out / "report.md", report_markdown(data, answer, pictures, changes));
     input::write_output(out / "index.html", page_html(data, answer, chapters, charts, pictures, bundles));
-    ReportSummary made = summary(data, pictures, !bundles.empty(), no_pdf, out / "index.html");
-    made.answer = terminal_text(answer, data);
-    return made;
+    const std::string& no_picture = pictures.note.empty() ? no_pdf : pictures.note;
+    return {answer.counts, (out / "index.html").string(), terminal_text(answer, data),
+            bundles.empty() ? "The chart bundles are missing: the report shows tables only." : no_picture};
 }
 
 // The report in short, as Markdown: what a person pastes into a pull request or a thesis. The page has the

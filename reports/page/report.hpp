@@ -8,19 +8,16 @@
 #include <optional>
 #include <string>
 
+#include "edgewise/reports/answer/answer.hpp"
+
 namespace edgewise::reports {
 
 struct StoreComparison;
-struct ReportData;
 
-struct ReportSummary {
-    std::size_t cells = 0, verified = 0, failed = 0, unavailable = 0;
-    std::string build;         ///< id of the build that is shown
-    std::string page;          ///< path of index.html
-    bool charts = false;       ///< the page carries the chart bundles
-    std::size_t pictures = 0;  ///< static SVG pictures rendered
-    std::string answer = {};   ///< which layout to take, and the tie set of each scene
-    std::string note = {};     ///< what is missing and what to do; empty when nothing is
+struct ReportSummary : CellCounts {
+    std::string page;    ///< path of index.html
+    std::string answer;  ///< which layout to take, and the tie set of each scene
+    std::string note;    ///< what is missing and what to do; empty when nothing is
 };
 
 /// Another store that the report is held against.

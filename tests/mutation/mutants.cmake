@@ -2,8 +2,8 @@
 # NAME, file under src/edgewise/, the code, the bug, the cases that must find it, the test's sources.
 
 # Controls: no bug, and the cases must pass. One in a header, one in a source.
-edgewise_mutant(control_header algorithms/vclip/vertex_face.hpp [[if (highest <= 0) return Step::touching;]] [[if (highest <= 0) return Step::touching;]]
-    RandomPairs* ${random_pairs})
+edgewise_mutant(control_header algorithms/support.hpp [[if (may_climb(table) && table.vertex_count() >= scan_under)]] [[if (may_climb(table) && table.vertex_count() >= scan_under)]]
+    Climb.* ${unit}/algorithms/support_test.cpp)
 edgewise_mutant(control_source truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[while (!simplex.holds_origin()) {]]
     ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
 
@@ -215,13 +215,13 @@ edgewise_mutant(referee_without_edges truth/moore_wilhelms.hpp [[return enter < 
 # Truth
 edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[for (int i = 0; i < 1 && !simplex.holds_origin(); ++i) {]]
     ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
-edgewise_mutant(filter_without_margin truth/exact_body.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
+edgewise_mutant(filter_without_margin truth/exact_body.cpp [[.height - 2 * Tolerance<double>::support_filter]] [[.height + 1e-12]]
     ExactDistance*:ExactVerdict* ${unit}/truth/exact_distance_test.cpp ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(proof_takes_negative_weights truth/exact_proof.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
     ExactDistance.proof* ${unit}/truth/exact_distance_test.cpp)
 edgewise_mutant(certificate_rounds_inward truth/certificate.cpp [[std::nextafter(stored.upper + error, infinity)]] [[std::nextafter(stored.upper + error, -infinity)]]
     Certificate.widen* ${unit}/truth/certificate_test.cpp)
-edgewise_mutant(certificate_divides_by_one_total truth/certificate.cpp [[on_a.total * on_b.total]] [[on_a.total * on_a.total]]
+edgewise_mutant(certificate_looks_along_one_way truth/certificate.cpp [[std::max(bodies.lowest(direction).height, bodies.lowest(-direction).height)]] [[bodies.lowest(direction).height]]
     Certificate.* ${unit}/truth/certificate_test.cpp)
 edgewise_mutant(touching_counts_as_overlap truth/exact_distance.cpp [[interior ? ExactVerdict::overlapping : ExactVerdict::touching]] [[interior ? ExactVerdict::touching : ExactVerdict::touching]]
     ExactVerdict.* ${unit}/truth/exact_verdict_test.cpp)

@@ -180,24 +180,6 @@ std::optional<Evidence> unfit(const std::vector<CurvePoint>& curve) {
     return std::nullopt;
 }
 
-struct Line {
-    double at_zero = 0, slope = 0;
-};
-
-/// y over t, each point with a weight.
-Line weighted_line(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& w) {
-    double sw = 0, st = 0, sy = 0, stt = 0, sty = 0;
-    for (std::size_t i = 0; i < t.size(); ++i) {
-        sw += w[i];
-        st += w[i] * t[i];
-        sy += w[i] * y[i];
-        stt += w[i] * t[i] * t[i];
-        sty += w[i] * t[i] * y[i];
-    }
-    const double slope = (sw * sty - st * sy) / (sw * stt - st * st);
-    return {(sy - slope * st) / sw, slope};
-}
-
 double root_mean_square(const std::vector<double>& all) {
     double squares = 0;
     for (const double one : all) squares += one * one;
@@ -226,19 +208,19 @@ Evidence growth_exponent(const std::vector<CurvePoint>& curve) {
 
 LogOrPower log_or_power(const std::vector<CurvePoint>& curve) {
     if (const auto why = unfit(curve)) return {*why, *why};
-    std::vector<double> t, y, log_y, relative, equal;
+    std::vector<double> t, y, log_y, relative;
     for (const CurvePoint& point : curve) {
         t.push_back(std::log(point.x));
         y.push_back(*point.y.value);
         log_y.push_back(std::log(y.back()));
         relative.push_back(1 / (y.back() * y.back()));
-        equal.push_back(1);
     }
-    const Line logarithm = weighted_line(t, y, relative), power = weighted_line(t, log_y, equal);
+    const auto logarithm = measure::least_squares(t, y, relative).value();
+    const auto power = measure::least_squares(t, log_y).value();
     std::vector<double> of_logarithm, of_power;
     for (std::size_t i = 0; i < t.size(); ++i) {
-        of_logarithm.push_back((logarithm.at_zero + logarithm.slope * t[i]) / y[i] - 1);
-        of_power.push_back(std::exp(power.at_zero + power.slope * t[i]) / y[i] - 1);
+        of_logarithm.push_back((logarithm.intercept + logarithm.slope * t[i]) / y[i] - 1);
+        of_power.push_back(std::exp(power.intercept + power.slope * t[i]) / y[i] - 1);
     }
     return {exact_evidence(root_mean_square(of_logarithm)), exact_evidence(root_mean_square(of_power))};
 }

@@ -71,8 +71,7 @@ Result<Certificates> certificates_of(const NamedAnswer& answer, const scene::Que
     const std::vector<Index> on_a = separated ? stored_vertices(a, answer.feature_a) : answer.proof_a;
     const std::vector<Index> on_b = separated ? stored_vertices(b, answer.feature_b) : answer.proof_b;
     const Vec3d along = separated ? Vec3d(answer.distance.point_b - answer.distance.point_a) : answer.normal;
-    const auto held =
-        truth::certify(a.vertices, query.pose_a, b.vertices, query.pose_b, {on_a}, {on_b}, along);
+    const auto held = truth::certify(a.vertices, query.pose_a, b.vertices, query.pose_b, on_a, on_b, along);
     if (!held) return Result<Certificates>::failure(held.error);
     const double moved_a = moved_by(given[query.body_a], points_a, a, query.pose_a.rotation);
     const double moved_b = moved_by(given[query.body_b], points_b, b, query.pose_b.rotation);

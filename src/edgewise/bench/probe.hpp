@@ -5,12 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <typeindex>
 #include <vector>
 
 #include "edgewise/bench/registry.hpp"
@@ -18,21 +16,11 @@
 #include "edgewise/measure/expected.hpp"
 #include "edgewise/truth/checked_answer.hpp"
 
+namespace edgewise::measure {
+struct SceneTrace;
+}
+
 namespace edgewise::bench {
-
-/// Results that several probes of one cell need, each made once, by the first that asks.
-class SharedResults {
-  public:
-    template <class Value, class Make>
-    [[nodiscard]] const Value& get(const Make& make) const {
-        std::shared_ptr<const void>& known = known_[typeid(Value)];
-        if (!known) known = std::make_shared<const Value>(make());
-        return *static_cast<const Value*>(known.get());
-    }
-
-  private:
-    mutable std::map<std::type_index, std::shared_ptr<const void>> known_;
-};
 
 /// Caches that a sweep wants modelled of a cell: on which machines, over how many queries and steps.
 struct CacheOrder {
@@ -72,7 +60,8 @@ struct ProbedCell {
     AnswerCounts counts = {};                             ///< of all answers
     std::span<const measure::Round> rounds = {};          ///< timed so far
     CacheOrder caches = {};                               ///< what is to be modelled
-    SharedResults shared = {};
+    /// Made by the first probe that asks for it (trace/trace_scene.hpp).
+    mutable std::shared_ptr<const measure::SceneTrace> trace = {};
 };
 
 struct Findings {

@@ -42,7 +42,7 @@ scene::CaseBody body_called(const std::string& name, bool as_stored) {
 
 /// 3 numbers: a translation; 12 or 16: rows of a matrix with the translation last.
 std::vector<double> pose_numbers(const std::string& text, const std::string& option) {
-    auto numbers = input::parse_numbers(text);
+    auto numbers = scene::numbers_in(text);
     if (!numbers) throw std::invalid_argument(fmt::format("{} {}: {}", option, text, numbers.error));
     const std::size_t count = numbers->size();
     if (count != 3 && count != 12 && count != 16)

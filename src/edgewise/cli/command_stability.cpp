@@ -57,7 +57,7 @@ bool run_with_progress(const studies::StabilityPlan& plan, store::Store& store, 
         data.stability.push_back({row, row.scene});
         progress.advance(1, row.shape + " " + row.table);
     };
-    return studies::store_stability(plan, store, take, stop_on_signals());
+    return studies::run_stability(plan, store, take, stop_on_signals());
 }
 
 /// The report's table of a stability run, and what failed.

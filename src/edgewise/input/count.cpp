@@ -71,24 +71,4 @@ Result<double> parse_number(std::string_view text, const NumberRange& range) {
     return Result<double>::success(value);
 }
 
-Result<std::vector<double>> parse_numbers(std::string_view text) {
-    using Numbers = Result<std::vector<double>>;
-    constexpr std::string_view blanks = " \t";
-    const auto skip_blanks = [&] {
-        text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    };
-    std::vector<double> numbers;
-    for (skip_blanks(); !text.empty(); skip_blanks()) {
-        const std::string_view word = text.substr(0, text.find_first_of(", \t"));
-        if (word.empty()) return Numbers::failure("a comma stands where a number is wanted");
-        const auto number = parse_number(word);
-        if (!number) return Numbers::failure(number.error);
-        numbers.push_back(*number);
-        text.remove_prefix(word.size());
-        skip_blanks();
-        if (text.starts_with(',')) text.remove_prefix(1);
-    }
-    return Numbers::success(std::move(numbers));
-}
-
 }  // namespace edgewise::input

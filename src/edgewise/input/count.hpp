@@ -51,7 +51,4 @@ inline constexpr NumberRange any_number{}, from_0{0}, above_0{.least = 0, .is_ab
 /// seconds, 5 to 3600".
 [[nodiscard]] Result<double> parse_number(std::string_view text, const NumberRange& range = any_number);
 
-/// Finite decimal numbers with commas or blanks between them; none for an empty text.
-[[nodiscard]] Result<std::vector<double>> parse_numbers(std::string_view text);
-
 }  // namespace edgewise::input

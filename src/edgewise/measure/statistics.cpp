@@ -95,21 +95,23 @@ std::optional<Interval> bootstrap_median(std::span<const double> sample, const B
     return Interval{sorted_quantile(medians, tail), sorted_quantile(medians, 1 - tail)};
 }
 
-std::optional<Line> least_squares(std::span<const double> x, std::span<const double> y) {
-    assert(x.size() == y.size());
+std::optional<Line> least_squares(std::span<const double> x, std::span<const double> y,
+                                  std::span<const double> weights) {
+    assert(x.size() == y.size() && (weights.empty() || weights.size() == x.size()));
     if (!usable(x) || !usable(y) || x.size() != y.size()) return std::nullopt;
     // Differences to the first point, not to the mean: they stay integers, and the determinant below, the sum
     // of (x_i - x_j)^2 over all pairs, is at least the sum of squares: it loses no more than a factor n.
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
+        const double weight = weights.empty() ? 1 : weights[i];
         const double dx = x[i] - x[0];
         const double dy = y[i] - y[0];
-        sx += dx;
-        sy += dy;
-        sxx += dx * dx;
-        sxy += dx * dy;
+        n += weight;
+        sx += weight * dx;
+        sy += weight * dy;
+        sxx += weight * dx * dx;
+        sxy += weight * dx * dy;
     }
-    const auto n = static_cast<double>(x.size());
     const double determinant = n * sxx - sx * sx;
     if (!(determinant > 0)) return std::nullopt;
     const double slope = (n * sxy - sx * sy) / determinant;

@@ -51,8 +51,10 @@ struct Line {
     double slope, intercept;
 };
 
-/// Least squares of y over x; null for fewer than two different x. Exact (no rounding) while every sum of
-/// products of the differences to the first point is an integer below 2^53, as for bytes over edges.
-[[nodiscard]] std::optional<Line> least_squares(std::span<const double> x, std::span<const double> y);
+/// Least squares of y over x, each point with a positive weight; no weights: all are 1. Null for fewer than
+/// two different x. Exact (no rounding) while every sum of products of the differences to the first point is
+/// an integer below 2^53, as for bytes over edges.
+[[nodiscard]] std::optional<Line> least_squares(std::span<const double> x, std::span<const double> y,
+                                                std::span<const double> weights = {});
 
 }  // namespace edgewise::measure

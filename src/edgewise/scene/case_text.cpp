@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -64,21 +64,9 @@ std::string rows_text(const Pose& pose) {
 
 }  // namespace
 
-Turn turn_of(const Mat3d& r) {
-    constexpr double degrees_of_pi = 180, least_sine = 1e-4;
-    const Vec3d twist(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));  // 2 sin(angle) axis
-    const double sine = norm(twist) / 2, cosine = (r(0, 0) + r(1, 1) + r(2, 2) - 1) / 2;
-    Turn turn;
-    turn.degrees = std::atan2(sine, cosine) * degrees_of_pi / std::numbers::pi;
-    if (sine > 0) turn.axis = twist / (2 * sine);
-    if (cosine > 0 || sine > least_sine) return turn;
-    // Nearly half a turn: (R + R^T) / 2 - cosine I is the axis times itself, times 1 - cosine.
-    int longest = 0;
-    r.diagonal().maxCoeff(&longest);
-    Vec3d axis = (r.col(longest) + r.row(longest).transpose()) / 2;
-    axis[longest] -= cosine;
-    turn.axis = axis * ((dot(axis, twist) < 0 ? -1 : 1) / norm(axis));
-    return turn;
+Turn turn_of(const Mat3d& rotation) {
+    const Eigen::AngleAxisd turn(rotation);
+    return {turn.axis(), turn.angle() * 180 / std::numbers::pi};
 }
 
 std::string text_of(const CaseBody& body) {

@@ -21,8 +21,8 @@ inline constexpr const char* case_template =
 
 /// A rotation by an angle about an axis.
 struct Turn {
-    Vec3d axis = Vec3d::Zero();  ///< unit; zero for no turn
-    double degrees = 0;          ///< 0 to 180
+    Vec3d axis;      ///< unit; any for no turn
+    double degrees;  ///< 0 to 180
 };
 [[nodiscard]] Turn turn_of(const Mat3d& rotation);
 

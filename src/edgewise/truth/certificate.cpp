@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Doubles are whole numbers times powers of two, so weights, directions and vertices are integers here; the
-// bounds are roots of quotients, rounded outward.
+// Doubles are whole numbers times powers of two, so directions and vertices are integers here; the bounds are
+// roots of quotients, rounded outward.
 #include "edgewise/truth/certificate.hpp"
 
 #include <algorithm>
@@ -17,52 +17,13 @@ namespace edgewise::truth {
 
 namespace {
 
-/// The vertices of a witness that the body has, with their weights as integers.
-struct Mean {
-    std::vector<std::uint32_t> vertices;
-    std::vector<mpz_class> weights;
-    mpz_class total;
-    bool is_weighted = false;
-};
-
-Mean mean_of(const WitnessClaim& witness, std::size_t vertex_count) {
-    assert(witness.weights.empty() || witness.weights.size() == witness.vertices.size());
-    Mean mean;
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < witness.vertices.size(); ++i) {
-        const double weight = witness.weights.empty() ? 1 : witness.weights[i];
-        if (witness.vertices[i] >= vertex_count || !(std::isfinite(weight) && weight > 0)) continue;
-        mean.vertices.push_back(witness.vertices[i]);
-        weights.push_back(weight);
-    }
-    mean.is_weighted = !witness.weights.empty();
-    if (mean.vertices.empty()) {
-        mean.vertices = {0};
-        weights = {1};
-    }
-    // In units of the smallest power of two among them.
-    const long unit = least_exponent(weights);
-    for (const double w : weights) {
-        mean.weights.push_back(scaled(w, unit));
-        mean.total += mean.weights.back();
-    }
-    return mean;
-}
-
-/// The sum of weight times position: total times the point.
-IntegerVec weighted_sum(ExactBody& body, const Mean& mean) {
-    IntegerVec sum;
-    for (std::size_t i = 0; i < mean.vertices.size(); ++i) {
-        sum += mean.weights[i] * body.world(mean.vertices[i]);
-    }
-    return sum;
-}
-
-double distance_of_means(ExactPair& bodies, const Mean& on_a, const Mean& on_b) {
-    const mpz_class totals = on_a.total * on_b.total;
-    const IntegerVec apart =
-        on_b.total * weighted_sum(bodies.a, on_a) - on_a.total * weighted_sum(bodies.b, on_b);
-    return root_rounded_up(dot(apart, apart), totals * totals, bodies.unit);
+/// The vertices of a claim that the body has; vertex 0 if it has none of them.
+std::vector<std::uint32_t> vertices_of(std::span<const std::uint32_t> claim, std::size_t vertex_count) {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t i : claim)
+        if (i < vertex_count) result.push_back(i);
+    if (result.empty()) result.push_back(0);
+    return result;
 }
 
 /// Returns the separation of the bodies along a direction, either way; 0 if they are not separated.
@@ -73,20 +34,21 @@ double gap_along(ExactPair& bodies, const IntegerVec& direction) {
     return root_rounded_down(gap * gap, dot(direction, direction), bodies.unit);
 }
 
-std::vector<Vec3d> chosen(std::span<const Vec3d> vertices, const Mean& mean) {
+std::vector<Vec3d> chosen(std::span<const Vec3d> vertices, std::span<const std::uint32_t> indices) {
     std::vector<Vec3d> result;
-    for (const std::uint32_t i : mean.vertices) result.push_back(vertices[i]);
+    for (const std::uint32_t i : indices) result.push_back(vertices[i]);
     return result;
 }
 
 /// The line from one body to the other that exact_distance found between some of their vertices.
-SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simplex, const Mean& on_a,
-                                     const Mean& on_b) {
+SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simplex,
+                                     std::span<const std::uint32_t> on_a,
+                                     std::span<const std::uint32_t> on_b) {
     MinimumSimplex<IntegerVec> found;
     found.size = simplex.size;
     for (int i = 0; i < simplex.size; ++i) {
         const VertexPair pair = simplex.pair[i];
-        found.point[i] = bodies.difference({on_a.vertices[pair.a], on_b.vertices[pair.b]});
+        found.point[i] = bodies.difference({on_a[pair.a], on_b[pair.b]});
     }
     SubsetTrial<IntegerVec> line = subset_of<IntegerVec>(found, ~0U, nullptr);
     if (!find_direction(line))
@@ -98,22 +60,17 @@ SubsetTrial<IntegerVec> line_between(ExactPair& bodies, const SimplexSeed& simpl
 }  // namespace
 
 Result<Certificate> certify(std::span<const Vec3d> a, const Pose& pose_a, std::span<const Vec3d> b,
-                            const Pose& pose_b, const WitnessClaim& on_a, const WitnessClaim& on_b,
-                            const Vec3d& direction) {
+                            const Pose& pose_b, std::span<const std::uint32_t> on_a,
+                            std::span<const std::uint32_t> on_b, const Vec3d& direction) {
     if (std::string error = pair_error(a, pose_a, b, pose_b); !error.empty()) {
         return Result<Certificate>::failure(std::move(error));
     }
     ExactPair bodies(a, pose_a, b, pose_b);
-    const Mean mean_a = mean_of(on_a, a.size());
-    const Mean mean_b = mean_of(on_b, b.size());
+    const auto some_of_a = vertices_of(on_a, a.size()), some_of_b = vertices_of(on_b, b.size());
     Certificate result;
     if (direction.allFinite()) result.lower = gap_along(bodies, scaled(direction, least_exponent(direction)));
-    if (mean_a.is_weighted && mean_b.is_weighted) {
-        result.upper = distance_of_means(bodies, mean_a, mean_b);
-        return Result<Certificate>::success(result);
-    }
-    const auto best = exact_distance(chosen(a, mean_a), pose_a, chosen(b, mean_b), pose_b);
-    const auto line = line_between(bodies, best->simplex, mean_a, mean_b);
+    const auto best = exact_distance(chosen(a, some_of_a), pose_a, chosen(b, some_of_b), pose_b);
+    const auto line = line_between(bodies, best->simplex, some_of_a, some_of_b);
     result.upper = 0;
     if (sgn(line.height) == 0) return Result<Certificate>::success(result);
     result.upper =

@@ -4,9 +4,9 @@
 // A poor claim makes it wide, never wrong.
 //
 // Lower bound: every vertex of both bodies along a direction in world axes, R as given: the gap
-// between the two along it. Upper bound: the distance between two points that lie in the bodies, as means of
-// vertices with non-negative weights. Both are computed exactly, in integers, and rounded outward once at the
-// end, so the width is that of the claim alone.
+// between the two along it. Upper bound: the distance of the hulls of some vertices of each body. Both are
+// computed exactly, in integers, and rounded outward once at the end, so the width is that of the claim
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -25,22 +25,15 @@ struct Certificate {
     [[nodiscard]] double width() const { return upper - lower; }
 };
 
-/// The place on a body where an answer says that its closest point is. Indices outside the body are skipped;
-/// if none is left, vertex 0 is used.
-struct WitnessClaim {
-    std::span<const std::uint32_t> vertices;  ///< of the feature, or of the simplex
-    /// One per vertex, divided exactly by their sum; a weight that is not finite and positive counts as 0.
-    /// Empty: the mean is not known.
-    std::span<const double> weights{};
-};
-
-/// With weights on both sides the answer's own two points give the upper bound. Else the best two points of
-/// the vertices named do, found exactly, and the direction between them is tried as well: this is the best
-/// that these features can prove; a common point proves distance 0. The direction points along the answer,
-/// either way; zero or NaN means none. Fails on an empty set, NaN or infinity in the bodies.
+/// `on_a`, `on_b`: vertices of the features, or of the simplex, where an answer says that its closest points
+/// are. Indices outside the body are skipped; if none is left, vertex 0 is used. The nearest two points of
+/// their hulls, found exactly, give the upper bound; a common point proves distance 0. `direction` points
+/// along the answer, either way; zero or NaN means none. The direction between the two points is tried as
+/// well. Fails on an empty set, NaN or infinity in the bodies.
 [[nodiscard]] Result<Certificate> certify(std::span<const Vec3d> a, const Pose& pose_a,
                                           std::span<const Vec3d> b, const Pose& pose_b,
-                                          const WitnessClaim& on_a, const WitnessClaim& on_b,
+                                          std::span<const std::uint32_t> on_a,
+                                          std::span<const std::uint32_t> on_b,
                                           const Vec3d& direction = Vec3d::Zero());
 
 /// The certificate of a stored pair, widened to hold for the given one: no vertex of A is moved by more than

@@ -5,6 +5,7 @@
 // seen from there, four times as large: 4 p - 4 c.
 #include "edgewise/truth/exact_proof.hpp"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -23,25 +24,8 @@ void require(bool holds, const char* otherwise, const char* of = "depth") {
     if (!holds) throw std::logic_error(std::string("exact ") + of + ": " + otherwise);
 }
 
-/// Returns true if the weights give total * (nearest point), where nearest point = (h / u.u) u.
-bool is_weighted_mean(const MinimumSimplex<IntegerVec>& s) {
-    const std::array<mpz_class, 4> weights = simplex_weights(s);
-    mpz_class total;
-    IntegerVec sum;
-    for (int i = 0; i < s.size; ++i) {
-        if (sgn(weights[i]) < 0) return false;
-        total += weights[i];
-        sum += weights[i] * s.point[i];
-    }
-    if (sgn(total) <= 0) return false;
-    if (s.holds_origin()) return sum.is_zero();
-    const mpz_class along = total * s.height;
-    return dot(s.direction, s.direction) * sum == along * s.direction;
-}
-
-}  // namespace
-
-/// Written out per size, not shared with the search.
+/// The weights of the nearest point, up to a common positive factor. Written out per size, not shared with
+/// the search.
 std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s) {
     const std::array<IntegerVec, 4>& p = s.point;
     if (s.size == 1) return {mpz_class(1), 0, 0, 0};
@@ -61,6 +45,24 @@ std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s) {
     }
     return w;
 }
+
+/// Returns true if the weights give total * (nearest point), where nearest point = (h / u.u) u.
+bool is_weighted_mean(const MinimumSimplex<IntegerVec>& s) {
+    const std::array<mpz_class, 4> weights = simplex_weights(s);
+    mpz_class total;
+    IntegerVec sum;
+    for (int i = 0; i < s.size; ++i) {
+        if (sgn(weights[i]) < 0) return false;
+        total += weights[i];
+        sum += weights[i] * s.point[i];
+    }
+    if (sgn(total) <= 0) return false;
+    if (s.holds_origin()) return sum.is_zero();
+    const mpz_class along = total * s.height;
+    return dot(s.direction, s.direction) * sum == along * s.direction;
+}
+
+}  // namespace
 
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex) {
     for (int i = 0; i < simplex.size; ++i) {

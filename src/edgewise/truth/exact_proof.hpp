@@ -12,7 +12,6 @@
 // below every face, and a ray from it meets one face only.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "edgewise/geometry/pose.hpp"
@@ -21,9 +20,6 @@
 #include "edgewise/truth/exact_body.hpp"
 
 namespace edgewise::truth {
-
-/// The weights of the nearest point, up to a common positive factor.
-[[nodiscard]] std::array<mpz_class, 4> simplex_weights(const MinimumSimplex<IntegerVec>& s);
 
 /// Throws std::logic_error if the simplex does not carry the point of A - B nearest to the origin.
 void require_optimal(ExactPair& bodies, const MinimumSimplex<IntegerVec>& simplex);

@@ -73,12 +73,5 @@ TEST(Number, IsInItsRange) {
     EXPECT_EQ(parse_number("half").error, "'half' wants a decimal number");
 }
 
-TEST(Numbers, AreBetweenCommasAndBlanks) {
-    EXPECT_EQ(*parse_numbers("1,-2e3, .5\t4"), (std::vector<double>{1, -2000, 0.5, 4}));
-    EXPECT_TRUE(parse_numbers("")->empty());
-    for (const char* text : {"1,nan", "1;2", "0x10,0,0", "[1,2]", "1,2,3x"})
-        EXPECT_FALSE(parse_numbers(text)) << text;
-}
-
 }  // namespace
 }  // namespace edgewise::input

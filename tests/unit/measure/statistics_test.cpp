@@ -232,6 +232,10 @@ TEST(Statistics, LeastSquaresIsExactOnIntegers) {
     const Line line = *least_squares(edges, bytes);
     EXPECT_EQ(line.slope, 168);
     EXPECT_EQ(line.intercept, 16);
+    const Line twice = *least_squares(Sample{1, 2, 4}, Sample{3, 3, 7}, Sample{2, 1, 1});
+    const Line listed = *least_squares(Sample{1, 1, 2, 4}, Sample{3, 3, 3, 7});
+    EXPECT_EQ(twice.slope, listed.slope);
+    EXPECT_EQ(twice.intercept, listed.intercept);
     const Line reversed = *least_squares(Sample{4, 2}, Sample{10, 4});
     EXPECT_EQ(reversed.slope, 3);
     EXPECT_EQ(reversed.intercept, -2);

@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "../temporary_folder.hpp"
 #include "edgewise/bench/registry.hpp"
 #include "edgewise/scene/rng.hpp"
 #include "edgewise/scene/scenes.hpp"
@@ -141,8 +142,10 @@ TEST(RawVClip, IsWrongOnHardFamiliesWhereTheHardenedOneIsRight) {
     std::map<std::string, double> wrong;
     std::size_t judged = 0, rows = 0;
     const std::atomic<bool> go_on = false;
+    const TemporaryFolder folder;
+    store::Store store(folder / "s.db");
     const bool done = run_stability(
-        plan,
+        plan, store,
         [&](const store::StoredCell& row) {
             const bool raw = row.axes == "hardening=off";
             EXPECT_TRUE(raw || row.status != store::CellStatus::judged);

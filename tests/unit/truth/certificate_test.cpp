@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Certificates in closed form: bounds, weights, common points, widening, bad input; and roots rounded
+// Certificates in closed form: bounds, common points, widening, bad input; and roots rounded
 // outward.
 #include "edgewise/truth/certificate.hpp"
 
@@ -22,62 +22,49 @@ TEST(Certificate, boxes_in_closed_form) {
     const std::vector<std::uint32_t> right = {1, 3, 5, 7}, left = {0, 2, 4, 6}, corner = {7}, other = {0};
     for (const double gap : {0.25, 0x1p-40}) {
         const Pose pose = moved({1 + gap, 0.5, 0});
-        const auto faces = certify(unit_box, {}, unit_box, pose, {right}, {left});
+        const auto faces = certify(unit_box, {}, unit_box, pose, right, left);
         EXPECT_EQ(faces->lower, gap);
         EXPECT_EQ(faces->upper, gap);
         for (const double along : {1.0, -1e300, 5e-324}) {
-            const auto given = certify(unit_box, {}, unit_box, pose, {corner}, {other}, {along, 0, 0});
+            const auto given = certify(unit_box, {}, unit_box, pose, corner, other, {along, 0, 0});
             EXPECT_EQ(given->lower, gap);
             EXPECT_GT(given->upper, 1);
         }
         // An irrational distance lies strictly between two doubles.
-        const auto apart = certify(unit_box, {}, unit_box, moved({1 + gap, 1 + gap, 1}), {corner}, {other});
+        const auto apart = certify(unit_box, {}, unit_box, moved({1 + gap, 1 + gap, 1}), corner, other);
         EXPECT_LT(apart->lower, apart->upper);
         EXPECT_EQ(apart->upper, std::nextafter(apart->lower, infinity));
         EXPECT_NEAR(apart->upper, std::sqrt(2 * gap * gap), 4e-16 * gap);
     }
 }
 
-TEST(Certificate, weights_are_divided_by_their_sum) {
-    const Points segment = {{0, 0, 0}, {4, 0, 0}};
-    const Points point = {{3, 4, 0}};
-    const std::vector<std::uint32_t> both = {0, 1}, one = {0}, beyond = {9, 1, 0};
-    const std::vector<double> whole = {1};
-    const auto upper = [&](const std::vector<std::uint32_t>& vertices, const std::vector<double>& weights) {
-        return certify(segment, {}, point, {}, {vertices, weights}, {one, whole})->upper;
-    };
-    EXPECT_EQ(upper(both, {1, 3}), 4);
-    EXPECT_EQ(upper(both, {5e-324, 15e-324}), 4);
-    EXPECT_EQ(upper(both, {1e308, 1e308}), std::sqrt(17.0));
-    EXPECT_EQ(upper(both, {1, -3}), 5);
-    EXPECT_EQ(upper(both, {1, nan}), 5);
-    EXPECT_EQ(upper(both, {1, infinity}), 5);
-    EXPECT_EQ(upper(both, {nan, 0}), 5);
-    EXPECT_EQ(upper(beyond, {100, 3, 1}), 4);
-    EXPECT_EQ(upper({}, {}), 5);
-    // No direction, no lower bound; unless the vertices alone are asked.
-    const auto undirected = certify(segment, {}, point, {}, {one, whole}, {one, whole}, {0, nan, 0});
-    EXPECT_EQ(undirected->lower, 0);
-    EXPECT_EQ(certify(segment, {}, point, {}, {one, whole}, {one, whole}, {0, 2, 0})->lower, 4);
-    EXPECT_EQ(certify(segment, {}, point, {}, {both}, {one})->upper, 4);
-    EXPECT_EQ(certify(segment, {}, point, {}, {both}, {one})->lower, 4);
+TEST(Certificate, takes_the_vertices_that_the_body_has) {
+    const Points segment = {{0, 0, 0}, {4, 0, 0}}, point = {{3, 4, 0}};
+    const std::vector<std::uint32_t> both = {0, 1}, one = {0}, beyond = {9, 1, 0}, none;
+    for (const auto& vertices : {both, beyond}) {
+        const auto found = certify(segment, {}, point, {}, vertices, one, {0, nan, 0});
+        EXPECT_EQ(found->upper, 4);
+        EXPECT_EQ(found->lower, 4);
+    }
+    EXPECT_EQ(certify(segment, {}, point, {}, none, none)->upper, 5);
+    EXPECT_EQ(certify(segment, {}, point, {}, one, one, {0, -2, 0})->lower, 4);
 }
 
 TEST(Certificate, proves_a_common_point) {
     const std::vector<std::uint32_t> all = {0, 1, 2, 3, 4, 5, 6, 7}, far = {0};
-    const auto common = certify(unit_box, {}, unit_box, moved({0.3, 0.4, 0.5}), {all}, {all});
+    const auto common = certify(unit_box, {}, unit_box, moved({0.3, 0.4, 0.5}), all, all);
     EXPECT_EQ(common->lower, 0);
     EXPECT_EQ(common->upper, 0);
-    const auto unproved = certify(unit_box, {}, unit_box, moved({0.5, 0, 0}), {far}, {far}, {1, 2, 3});
+    const auto unproved = certify(unit_box, {}, unit_box, moved({0.5, 0, 0}), far, far, {1, 2, 3});
     EXPECT_EQ(unproved->lower, 0);
     EXPECT_EQ(unproved->upper, 0.5);
 }
 
 TEST(Certificate, says_what_is_wrong) {
     const std::vector<std::uint32_t> first = {0};
-    EXPECT_NE(certify({}, {}, unit_box, {}, {first}, {first}).error.find("body A: no vertices"),
+    EXPECT_NE(certify({}, {}, unit_box, {}, first, first).error.find("body A: no vertices"),
               std::string::npos);
-    EXPECT_NE(certify(unit_box, {}, unit_box, moved({nan, 0, 0}), {first}, {first}).error.find("body B"),
+    EXPECT_NE(certify(unit_box, {}, unit_box, moved({nan, 0, 0}), first, first).error.find("body B"),
               std::string::npos);
 }
 

@@ -144,14 +144,16 @@ measure::SceneTrace trace_scene(const Runner& runner, const scene::Workload& wor
 }
 
 const measure::SceneTrace& scene_trace(const ProbedCell& cell) {
-    return cell.shared.get<measure::SceneTrace>([&] {
-        measure::SceneTrace trace;
-        if (cell.caches.machines.empty()) return trace;
-        if (cell.verified) return trace_scene(cell.runner, cell.workload, cell.caches);
+    if (cell.trace) return *cell.trace;
+    measure::SceneTrace trace;
+    if (!cell.caches.machines.empty() && cell.verified) {
+        trace = trace_scene(cell.runner, cell.workload, cell.caches);
+    } else if (!cell.caches.machines.empty()) {
         trace.reason = "the cell was not verified";
         trace.remedy = "see the cell's own reason";
-        return trace;
-    });
+    }
+    cell.trace = std::make_shared<const measure::SceneTrace>(std::move(trace));
+    return *cell.trace;
 }
 
 }  // namespace edgewise::bench

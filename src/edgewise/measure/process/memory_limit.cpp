@@ -20,8 +20,7 @@ namespace edgewise::measure {
 /// What a version of the kernel's interface calls things.
 struct MemoryLimit::Hierarchy {
     const char *mount, *sign, *controller;  ///< the sign is a file that is there where it is mounted
-    const char *limit, *usage;              ///< files of a group
-    const char *unlimited, *of_files;       ///< a limit's value; the name of a number in memory.stat
+    const char *limit, *unlimited;          ///< a file of a group, and its value without a limit
 };
 
 namespace {
@@ -80,16 +79,6 @@ std::vector<fs::path> upwards(const fs::path& mount, const std::string& group) {
     return parents;
 }
 
-/// Numbers by name, as memory.stat has them.
-std::uint64_t number_in(const fs::path& file, const std::string& wanted) {
-    std::ifstream stream(file);
-    std::string name;
-    for (std::uint64_t value = 0; stream >> name >> value;) {
-        if (name == wanted) return value;
-    }
-    return 0;
-}
-
 }  // namespace
 
 /// Lines are NUMBER:CONTROLLERS:PATH, controllers with commas between; version 2 has none.
@@ -107,9 +96,8 @@ std::string control_group_in(const std::string& text, const std::string& control
 
 Expected<std::unique_ptr<MemoryLimit>> MemoryLimit::make(const fs::path& root) {
     static constexpr Hierarchy versions[] = {
-        {"sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory", "memory.limit_in_bytes",
-         "memory.usage_in_bytes", "-1", "cache"},
-        {"sys/fs/cgroup", "cgroup.controllers", "", "memory.max", "memory.current", "max", "file"},
+        {"sys/fs/cgroup/memory", "memory.limit_in_bytes", "memory", "memory.limit_in_bytes", "-1"},
+        {"sys/fs/cgroup", "cgroup.controllers", "", "memory.max", "max"},
     };
     std::string why = "no memory control groups are mounted";
     const std::string groups = read_text(root / "proc/self/cgroup").value.value_or("");
@@ -134,16 +122,6 @@ std::string MemoryLimit::set_bytes(std::uint64_t bytes) const {
 
 std::string MemoryLimit::take_in(pid_t process) const {
     return write_to(folder_ / "cgroup.procs", std::to_string(process));
-}
-
-Expected<MemoryInGroup> MemoryLimit::holds() const {
-    const auto all = read_number(folder_ / version_.usage);
-    if (!all.value) return all.refusal();
-    MemoryInGroup held;
-    held.file = number_in(folder_ / "memory.stat", version_.of_files);
-    const auto used = static_cast<std::uint64_t>(*all.value);
-    held.other = used > held.file ? used - held.file : 0;
-    return {held};
 }
 
 }  // namespace edgewise::measure

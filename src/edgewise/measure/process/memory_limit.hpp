@@ -15,12 +15,6 @@
 
 namespace edgewise::measure {
 
-/// Memory of the group, in bytes.
-struct MemoryInGroup {
-    std::uint64_t file = 0;   ///< pages of files
-    std::uint64_t other = 0;  ///< all else: stacks, heaps, page tables
-};
-
 /// A process's group below a hierarchy's mount, from the text of its /proc/self/cgroup: of the named
 /// controller, or with an empty name of version 2. Empty when there is none.
 [[nodiscard]] std::string control_group_in(const std::string& text, const std::string& controller);
@@ -37,7 +31,6 @@ class MemoryLimit {
     /// Sets the limit; 0 bytes: none. Returns what the kernel refused, or an empty text.
     [[nodiscard]] std::string set_bytes(std::uint64_t bytes) const;
     [[nodiscard]] std::string take_in(pid_t process) const;
-    [[nodiscard]] Expected<MemoryInGroup> holds() const;
 
   private:
     struct Hierarchy;

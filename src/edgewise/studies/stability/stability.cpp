@@ -9,12 +9,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "edgewise/bench/build_info.hpp"
 #include "edgewise/bench/cell.hpp"
 #include "edgewise/bench/certificates.hpp"
 #include "edgewise/input/known_names.hpp"
 #include "edgewise/measure/statistics.hpp"
 #include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/answer_claim.hpp"
+#include "edgewise/store/schema.hpp"
 #include "edgewise/studies/single_cell.hpp"
 #include "edgewise/truth/exact_body.hpp"
 #include "edgewise/truth/moore_wilhelms.hpp"
@@ -300,14 +302,12 @@ store::StoredCell row_for(const StabilityPlan& plan, const scene::HardFamily& fa
 using SharedCases = std::map<std::string, StabilityCases>;
 
 /// Raw V-Clip is judged: what is wrong with it fails nothing, and nothing of it is proven.
-store::StoredCell measured_row(const StabilityPlan& plan, const scene::HardFamily& family,
-                               const Subject& subject, SharedCases& cases) {
-    store::StoredCell row = row_for(plan, family, subject);
-    if (auto stored = plan.stored ? plan.stored(row.hash) : std::nullopt) return *std::move(stored);
+void measure_row(store::StoredCell& row, const StabilityPlan& plan, const scene::HardFamily& family,
+                 const Subject& subject, SharedCases& cases) {
     if (family.name == real_family && plan.real.empty()) {
         row.status = store::CellStatus::unavailable;
         row.reason = "no real meshes here: name some with --shape";
-        return row;
+        return;
     }
     const bench::TableType& type = *subject.type;
     StabilityTally tally;
@@ -322,7 +322,6 @@ store::StoredCell measured_row(const StabilityPlan& plan, const scene::HardFamil
     row.status = subject.raw          ? store::CellStatus::judged
                  : row.reason.empty() ? store::CellStatus::verified
                                       : store::CellStatus::failed;
-    return row;
 }
 
 }  // namespace
@@ -331,14 +330,29 @@ std::size_t stability_rows(const StabilityPlan& plan) {
     return subjects_of(plan).size() * chosen_families(plan).size();
 }
 
-bool run_stability(const StabilityPlan& plan, const std::function<void(const store::StoredCell&)>& on_row,
+bool run_stability(const StabilityPlan& plan, store::Store& store,
+                   const std::function<void(const store::StoredCell&)>& on_row,
                    const std::atomic<bool>& stop) {
+    const store::BuildRow build = bench::this_build();
+    store.put_build(build);
+    store.set_meta("build", build.id);
+    store.set_meta("seed", std::to_string(plan.seed));
     for (const scene::HardFamily* family : chosen_families(plan)) {
         SharedCases cases;
+        const measure::Stopwatch watch;
         for (const Subject& subject : subjects_of(plan)) {
             if (stop) return false;
-            on_row(measured_row(plan, *family, subject, cases));
+            store::StoredCell row = row_for(plan, *family, subject);
+            if (auto stored = store.find_cell(build.id, row.hash))
+                row = *std::move(stored);
+            else
+                measure_row(row, plan, *family, subject, cases);
+            store.put_cell(build.id, row, row.figures);
+            on_row(row);
         }
+        if (const double took = watch.elapsed_ns() * 1e-9; took > 0.01)  // else it was there
+            store.set_meta(store::took_key + sweep::unit_name(stability_run, family->name),
+                           fmt::format("{:.3f}", took));
     }
     return true;
 }

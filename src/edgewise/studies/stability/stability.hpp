@@ -153,24 +153,18 @@ struct StabilityPlan {
     std::vector<std::string> algorithms;
     bool raw = false;              ///< V-Clip without its fallback too, on table type raw_type
     std::vector<Polyhedron> real;  ///< for the family of real hulls; without any its rows are unavailable
-    /// Returns the row of that hash from an earlier run, which is not measured again; may be empty.
-    std::function<std::optional<store::StoredCell>(const std::string& hash)> stored = {};
 };
-
-/// Returns false if it was stopped before its last row. `on_row` is called with each row as soon as it is
-/// there. Throws std::invalid_argument that lists the known names when a family is unknown.
-[[nodiscard]] bool run_stability(const StabilityPlan& plan,
-                                 const std::function<void(const store::StoredCell&)>& on_row,
-                                 const std::atomic<bool>& stop);
 
 /// Returns the number of rows of a plan.
 [[nodiscard]] std::size_t stability_rows(const StabilityPlan& plan);
 
 /// Runs the plan and writes its rows into the store, with the seconds of each family; rows that this build
-/// wrote there before are not measured again. Returns as run_stability.
-[[nodiscard]] bool store_stability(StabilityPlan plan, store::Store& store,
-                                   const std::function<void(const store::StoredCell&)>& on_row,
-                                   const std::atomic<bool>& stop);
+/// wrote there before are not measured again. Returns false if it was stopped before its last row. `on_row`
+/// is called with each row as soon as it is there. Throws std::invalid_argument that lists the known names
+/// when a family is unknown.
+[[nodiscard]] bool run_stability(const StabilityPlan& plan, store::Store& store,
+                                 const std::function<void(const store::StoredCell&)>& on_row,
+                                 const std::atomic<bool>& stop);
 
 /// Keeps only the shard's families; returns false if it has none. `seconds`: as for sweep::keep_shard.
 [[nodiscard]] bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,

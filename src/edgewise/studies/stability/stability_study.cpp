@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The stability run as a study: its parts are the hard families.
-#include <fmt/format.h>
-
 #include <map>
 
-#include "edgewise/bench/build_info.hpp"
-#include "edgewise/measure/stopwatch.hpp"
 #include "edgewise/scene/hard/families.hpp"
-#include "edgewise/store/schema.hpp"
 #include "edgewise/studies/stability/stability.hpp"
 #include "edgewise/sweep/study.hpp"
 
@@ -44,35 +39,10 @@ bool run_stability_study(const sweep::SweepWork& work, store::Store& store, cons
     const auto notify = [&](const store::StoredCell& row) {
         on_row(row.shape + " " + row.table, row.status);
     };
-    return store_stability(stability_plan(work), store, notify, stop);
+    return run_stability(stability_plan(work), store, notify, stop);
 }
 
 }  // namespace
-
-bool store_stability(StabilityPlan plan, store::Store& store,
-                     const std::function<void(const store::StoredCell&)>& on_row,
-                     const std::atomic<bool>& stop) {
-    const store::BuildRow build = bench::this_build();
-    store.put_build(build);
-    store.set_meta("build", build.id);
-    store.set_meta("seed", std::to_string(plan.seed));
-    plan.stored = [&](const std::string& hash) { return store.find_cell(build.id, hash); };
-    std::map<std::string, double> seconds;
-    measure::Stopwatch watch;
-    const auto put = [&](const store::StoredCell& row) {
-        store.put_cell(build.id, row, row.figures);
-        seconds[row.shape] += watch.elapsed_ns() * 1e-9;
-        watch.restart();
-        on_row(row);
-    };
-    const bool done = run_stability(plan, put, stop);
-    for (const auto& [family, took] : seconds) {
-        if (done && took > 0.01)  // else it was there
-            store.set_meta(store::took_key + sweep::unit_name(stability_run, family),
-                           fmt::format("{:.3f}", took));
-    }
-    return done;
-}
 
 bool keep_shard(StabilityPlan& plan, const sweep::Shard& shard,
                 const std::map<std::string, double>& seconds) {
