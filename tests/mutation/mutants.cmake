@@ -215,7 +215,7 @@ edgewise_mutant(referee_without_edges truth/moore_wilhelms.hpp [[return enter < 
 # Truth
 edgewise_mutant(oracle_stops_early truth/exact_distance.cpp [[while (!simplex.holds_origin()) {]] [[for (int i = 0; i < 1 && !simplex.holds_origin(); ++i) {]]
     ExactDistance.* ${unit}/truth/exact_distance_test.cpp)
-edgewise_mutant(filter_without_margin truth/exact_body.cpp [[best + 2 * Tolerance<double>::support_filter]] [[best - 1e-12]]
+edgewise_mutant(filter_without_margin truth/exact_body.cpp [[.height - 2 * Tolerance<double>::support_filter]] [[.height + 1e-12]]
     ExactDistance*:ExactVerdict* ${unit}/truth/exact_distance_test.cpp ${unit}/truth/exact_verdict_test.cpp)
 edgewise_mutant(proof_takes_negative_weights truth/exact_proof.cpp [[if (sgn(weights[i]) < 0) return false;]] [[if (sgn(weights[i]) < -1) return false;]]
     ExactDistance.proof* ${unit}/truth/exact_distance_test.cpp)

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 
 #include "edgewise/geometry/tolerance.hpp"
@@ -59,53 +58,26 @@ std::string pair_error(std::span<const Vec3d> a, const Pose& pose_a, std::span<c
     return error.empty() ? body_error(b, pose_b, "B") : error;
 }
 
-SupportFilter::SupportFilter(std::span<const Vec3d> vertices, const Mat3d& rotation) {
-    const std::size_t count = vertices.size();
+std::vector<Vec3d> SupportFilter::shapes_of(std::span<const Vec3d> vertices, const Mat3d& rotation) {
+    std::vector<Vec3d> shapes(vertices.size(), Vec3d::Zero());
     double reach = 0;
     for (const Vec3d& v : vertices) reach = std::max(reach, max_abs(Vec3d(v - vertices[0])));
     const double gain = rotation.cwiseAbs().maxCoeff();
     usable_ = std::isfinite(reach);
-    candidates_.resize(count);
-    if (!usable_) {
-        std::iota(candidates_.begin(), candidates_.end(), 0U);
-        return;
-    }
+    if (!usable_) return shapes;
     const int reach_exponent = reach > 0 ? std::ilogb(reach) : 0;
     const int gain_exponent = gain > 0 ? std::ilogb(gain) : 0;
     exponent_ = reach_exponent + gain_exponent;
     const auto divide = divider(reach_exponent);
     const Mat3d matrix = divider(gain_exponent)(rotation);
-    for (std::vector<double>* list : {&x_, &y_, &z_, &heights_}) list->resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d shape = multiply(matrix, divide(Vec3d(vertices[i] - vertices[0])));
-        x_[i] = shape.x();
-        y_[i] = shape.y();
-        z_[i] = shape.z();
-    }
-}
-
-void SupportFilter::scan(const Vec3d& direction) {
-    const std::size_t count = heights_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        heights_[i] = direction.x() * x_[i] + direction.y() * y_[i] + direction.z() * z_[i];
-    }
-}
-
-std::uint32_t SupportFilter::lowest(const Vec3d& direction) {
-    scan(direction);
-    return static_cast<std::uint32_t>(std::min_element(heights_.begin(), heights_.end()) - heights_.begin());
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        shapes[i] = multiply(matrix, divide(Vec3d(vertices[i] - vertices[0])));
+    return shapes;
 }
 
 std::span<const std::uint32_t> SupportFilter::candidates(const Vec3d& direction) {
-    if (!usable_) return candidates_;
-    scan(direction);
-    const double best = *std::min_element(heights_.begin(), heights_.end());
-    const double limit = best + 2 * Tolerance<double>::support_filter;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < heights_.size(); ++i) {
-        if (heights_[i] <= limit) candidates_[kept++] = static_cast<std::uint32_t>(i);
-    }
-    return std::span<const std::uint32_t>(candidates_).first(kept);
+    if (!usable_) return scanned_.as_high_as(-std::numeric_limits<double>::infinity());  // all
+    return scanned_.as_high_as(scanned_.highest(-direction).height - 2 * Tolerance<double>::support_filter);
 }
 
 Vec3d rounded_direction(const IntegerVec& direction) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "edgewise/geometry/pose.hpp"
+#include "edgewise/truth/filter/scanned_body.hpp"
 #include "edgewise/truth/integer_vector.hpp"
 #include "edgewise/truth/minimum_norm.hpp"
 
@@ -28,30 +29,32 @@ namespace edgewise::truth {
 /// far-off origin, in the pose or in the vertices, costs it no digits.
 class SupportFilter {
   public:
-    SupportFilter(std::span<const Vec3d> vertices, const Mat3d& rotation);
+    SupportFilter(std::span<const Vec3d> vertices, const Mat3d& rotation)
+        : shapes_(shapes_of(vertices, rotation)), scanned_(shapes_) {}
+    SupportFilter(SupportFilter&&) = default;
 
     /// False if the coordinates overflowed: then every vertex is a candidate.
     [[nodiscard]] bool usable() const { return usable_; }
 
     /// R (v - v0) of a vertex, divided by 2^exponent(): entries below 12.
-    [[nodiscard]] Vec3d shape(std::uint32_t i) const { return {x_[i], y_[i], z_[i]}; }
+    [[nodiscard]] const Vec3d& shape(std::uint32_t i) const { return shapes_[i]; }
     [[nodiscard]] int exponent() const { return exponent_; }
 
     /// The vertex that looks lowest along the direction; ties go to the first.
-    [[nodiscard]] std::uint32_t lowest(const Vec3d& direction);
+    [[nodiscard]] std::uint32_t lowest(const Vec3d& direction) { return scanned_.highest(-direction).vertex; }
 
     /// Returns every vertex that can be exactly lowest along a direction with entries of at most 1, known to
     /// 2^-52 (see rounded_direction). Valid until the next call.
     [[nodiscard]] std::span<const std::uint32_t> candidates(const Vec3d& direction);
 
   private:
-    void scan(const Vec3d& direction);
+    /// Sets exponent_ and usable_; zeros if the coordinates overflowed.
+    [[nodiscard]] std::vector<Vec3d> shapes_of(std::span<const Vec3d> vertices, const Mat3d& rotation);
 
-    std::vector<double> x_, y_, z_;
-    std::vector<double> heights_;
-    std::vector<std::uint32_t> candidates_;
     int exponent_ = 0;
     bool usable_ = true;
+    std::vector<Vec3d> shapes_;
+    ScannedBody scanned_;  ///< of shapes_
 };
 
 /// The direction scaled by a power of two so that its largest entry is in [0.5, 1), truncated to double.

@@ -40,12 +40,9 @@ class ScannedBody {
     [[nodiscard]] const Vec3d& centre() const { return centre_; }
 
   private:
-    /// Four numbers of four vertices: the compiler makes of it what the machine has.
-    typedef double Four __attribute__((vector_size(32)));
-    typedef std::int64_t FourPlaces __attribute__((vector_size(32)));
-
     std::span<const Vec3d> vertices_;
-    std::vector<Four> x_, y_, z_, heights_;  ///< filled up with copies of the first vertex
+    /// Filled up with copies of the first vertex, to a multiple of four.
+    std::vector<double> x_, y_, z_, heights_;
     std::vector<std::uint32_t> chosen_;
     double reach_ = 0, extent_ = 0;
     Vec3d centre_ = Vec3d::Zero();
