@@ -71,8 +71,8 @@ std::string outer_caches(const nlohmann::json& machine) {
     if (!machine.contains("caches") || !machine["caches"].is_array()) return out;
     for (const nlohmann::json& cache : machine["caches"]) {
         const auto level = input::member_of(cache, "level"), bytes = input::member_of(cache, "bytes");
-        if (!level.is_number() || !bytes.is_number() || level.get<int>() < 2) continue;
-        append(out, fmt::format("L{} {}", level.get<int>(), size_text(bytes.get<double>())));
+        if (!level.is_number_unsigned() || !bytes.is_number() || level < 2 || bytes <= 0) continue;
+        append(out, fmt::format("L{} {}", level.get<unsigned>(), size_text(bytes.get<double>())));
     }
     return out;
 }
