@@ -119,6 +119,12 @@ std::vector<const ReportCell*> ReportData::rows() const {
     return cells_in({&cells, &from_files, &stability, &paging, &thrash, &effort, &fields, &other_studies});
 }
 
+std::vector<const ReportCell*> ReportData::rows_and_peers() const {
+    std::vector<const ReportCell*> all = rows();
+    for (const ReportCell& peer : peers) all.push_back(&peer);
+    return all;
+}
+
 bool ReportData::any_failed() const {
     return std::ranges::any_of(rows(), [](const ReportCell* row) { return row->failed(); });
 }

@@ -54,7 +54,8 @@ struct ReportData {
     [[nodiscard]] std::size_t count(store::CellStatus status) const;  ///< of all cells
     /// The sweep's cells and the rows of all studies; no peers.
     [[nodiscard]] std::vector<const ReportCell*> rows() const;
-    [[nodiscard]] bool any_failed() const;  ///< of rows()
+    [[nodiscard]] std::vector<const ReportCell*> rows_and_peers() const;  ///< rows(), then peers; no `again`
+    [[nodiscard]] bool any_failed() const;                                ///< of rows()
     /// Returns the value of `meta` for a key; null if there is none.
     [[nodiscard]] std::optional<std::string> meta_value(std::string_view key) const;
     /// Returns the names that follow a key (store/schema.hpp), with their values; by name.

@@ -65,9 +65,7 @@ struct Found {
 Gaps gaps_of(const ReportData& data) {
     Gaps all;
     std::map<std::pair<std::string, std::string>, Found> found;
-    for (const ReportCell* cell :
-         cells_in({&data.cells, &data.from_files, &data.stability, &data.paging, &data.thrash, &data.effort,
-                   &data.fields, &data.other_studies, &data.peers})) {
+    for (const ReportCell* cell : data.rows_and_peers()) {
         for (const store::FigureRow& figure : cell->figures) {
             ++(figure.value ? all.measured : all.missing);
             if (figure.value) continue;

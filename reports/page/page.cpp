@@ -280,7 +280,7 @@ ChartJson columns_json(const ChartJson& rows) {
 }  // namespace
 
 std::string cells_data(const ReportData& data) {
-    const std::vector<const ReportCell*> cells = every_cell(data);
+    const std::vector<const ReportCell*> cells = data.rows_and_peers();
     std::map<std::string, FigureValues> figures;
     DistinctTexts reasons;
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -63,7 +63,7 @@ std::string write_cited_figures(const ReportData& data, const std::vector<Chart>
 [[nodiscard]] std::string chapter_markdown(const Chapter& chapter);
 
 /// {"cells": {column: [...]}, "figures": [{"name", "unit", "values": [...]}], "reasons": [...]}: rows as in
-/// every_cell; with "at" the places of the rows that have the figure, the others have none. A value is a
+/// rows_and_peers; with "at" the places of the rows that have the figure, the others have none. A value is a
 /// number, or the place of its reason and remedy as text, or null where the cell has no such figure.
 [[nodiscard]] std::string cells_data(const ReportData& data);
 

@@ -40,7 +40,7 @@ void check_names(const std::vector<std::string>& wanted, const std::set<std::str
 
 void check_choice(const ReportData& data, const ExportChoice& choice) {
     std::set<std::string> scenes, layouts;
-    for (const ReportCell* cell : every_cell(data)) {
+    for (const ReportCell* cell : data.rows_and_peers()) {
         scenes.insert(cell->scene);
         layouts.insert({cell->layout, cell->layout + "_" + cell->precision, cell->table});
     }
@@ -127,7 +127,7 @@ std::string json_of(const ReportData& data, const std::vector<Chosen>& chosen) {
 
 std::vector<const ReportCell*> chosen_cells(const ReportData& data, const ExportChoice& choice) {
     check_choice(data, choice);
-    std::vector<const ReportCell*> chosen = every_cell(data);
+    std::vector<const ReportCell*> chosen = data.rows_and_peers();
     std::erase_if(chosen, [&](const ReportCell* cell) { return !is_chosen(*cell, choice); });
     return chosen;
 }
@@ -151,7 +151,7 @@ struct ResultFile {
 std::map<std::pair<std::string, std::string>, std::string> names_of(const ReportData& data) {
     std::map<std::pair<std::string, std::string>, std::string> names;
     std::set<std::string> taken;
-    const std::vector<const ReportCell*> cells = every_cell(data);
+    const std::vector<const ReportCell*> cells = data.rows_and_peers();
     for (const bool swept : {false, true}) {
         for (const ReportCell* cell : cells) {
             if ((cell->run == store::sweep_run) != swept || names.contains({cell->run, cell->scene}))
@@ -168,7 +168,7 @@ std::map<std::pair<std::string, std::string>, std::string> names_of(const Report
 std::map<std::string, ResultFile> result_files(const ReportData& data) {
     const auto names = names_of(data);
     std::map<std::string, ResultFile> files;
-    for (const ReportCell* cell : every_cell(data)) {
+    for (const ReportCell* cell : data.rows_and_peers()) {
         ResultFile& file = files[names.at({cell->run, cell->scene})];
         file.cells.push_back(cell);
         for (const store::FigureRow& figure : cell->figures) {

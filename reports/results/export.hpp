@@ -88,9 +88,6 @@ class CsvRow {
 /// Returns the entry of a main figure in the vocabulary; null if the figure is not a main one.
 [[nodiscard]] const store::FigureInfo* main_info(const std::string& key);
 
-/// All cells of a store, whatever run they are of, in the order of the report.
-[[nodiscard]] std::vector<const ReportCell*> every_cell(const ReportData& data);
-
 /// Adds the names of the columns that name a cell.
 void add_identity_header(CsvRow& row);
 /// Adds the values of a cell in the columns of add_identity_header.

@@ -82,15 +82,10 @@ struct MainFigures {
     }
 };
 
-const MainFigures& main_figures() {
-    static const MainFigures all;
-    return all;
-}
-
 }  // namespace
 
 std::optional<std::size_t> main_place(const std::string& key) {
-    const MainFigures& all = main_figures();
+    static const MainFigures all;
     if (const auto found = all.plain.find(key); found != all.plain.end()) return found->second;
     // A machine under another policy than its own is a variant of it.
     if (key.find('/') != std::string::npos) return std::nullopt;
@@ -102,11 +97,6 @@ std::optional<std::size_t> main_place(const std::string& key) {
 const store::FigureInfo* main_info(const std::string& key) {
     const auto place = main_place(key);
     return place ? &store::vocabulary[*place] : nullptr;
-}
-
-std::vector<const ReportCell*> every_cell(const ReportData& data) {
-    return cells_in({&data.cells, &data.from_files, &data.stability, &data.paging, &data.effort, &data.fields,
-                     &data.other_studies, &data.peers});
 }
 
 void add_identity_header(CsvRow& row) {

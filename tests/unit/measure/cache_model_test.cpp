@@ -58,7 +58,9 @@ TEST(CacheModel, AReferenceThatCrossesALineIsTwoAccessesOrOne) {
     merge.access(64, 4, Kind::read);
     EXPECT_EQ(merge.counts(0).misses, 1U);  // both lines came
     merge.access(124, 8, Kind::read);
-    EXPECT_EQ(merge.counts(0).misses, 2U);  // one is there, one is not
+    EXPECT_EQ(merge.counts(0).misses, 2U);                         // one is there, one is not
+    EXPECT_EQ(split.access(UINT64_MAX - 67, 68, Kind::read), 1U);  // ends where addresses do
+    EXPECT_EQ(split.counts(0).misses, 4U);
 }
 
 /// Tree-PLRU over four ways: after 0 1 2 3 the tree points at 0; a use of 0 turns it to 2.

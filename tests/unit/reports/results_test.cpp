@@ -88,15 +88,24 @@ TEST(WideResults, SayWhyFieldsAreEmptyAndWhatColumnsAre) {
 }
 
 /// Names of files are letters, digits, '_' and '-': none leaves the folder.
-TEST(WideResults, AreAFilePerScene) {
+TEST(WideResults, AreAFilePerSceneAndRun) {
     ReportData data = two_cells();
     data.from_files = {made_up_cell("../mine", "gjk", "{}", {{"time.all_ns", 3}})};
-    data.effort = {made_up_cell("tumble", "gjk", "{}", {{"effort.instructions", 4}})};
-    data.effort.front().run = "effort";
+    const std::pair<std::vector<ReportCell>*, const char*> studies[] = {
+        {&data.effort, "effort"}, {&data.stability, "stability"}, {&data.paging, "paging"},
+        {&data.thrash, "thrash"}, {&data.fields, "fields"},       {&data.other_studies, "scratch"}};
+    for (const auto& [rows, run] : studies) {
+        *rows = {made_up_cell("tumble", "gjk", "{}", {{"time.all_ns", 4}})};
+        rows->front().run = run;
+    }
+    data.peers = {made_up_cell("static", "gjk", "{}", {{"time.all_ns", 5}})};
     std::vector<std::string> names;
     for (const auto& [name, text] : wide_results(data)) names.push_back(name);
-    EXPECT_THAT(names, testing::UnorderedElementsAre("cold.csv", "___mine.csv", "effort_tumble.csv",
-                                                     "about/columns.csv", "about/not_measured.csv"));
+    EXPECT_THAT(
+        names, testing::UnorderedElementsAre("cold.csv", "___mine.csv", "static.csv", "effort_tumble.csv",
+                                             "stability_tumble.csv", "paging_tumble.csv", "thrash_tumble.csv",
+                                             "fields_tumble.csv", "scratch_tumble.csv", "about/columns.csv",
+                                             "about/not_measured.csv"));
 }
 
 TEST(CsvRow, TextsAreNoFormulasAndComeBack) {

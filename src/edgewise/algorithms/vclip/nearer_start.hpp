@@ -40,8 +40,8 @@ inline constexpr std::size_t most_walked = 16;
 
 /// The same without seeds, where a search climbs from far off. Where a run takes twice as many steps from a
 /// nearer start, as between prisms, the pair walks on from then on. Time of aos_f64 over walking on, a Zen 4,
-/// 0.3 / 1 rad per step / any pose: spheres of 386 vertices 0.91 / 0.48 / 0.45, of 1538 0.56 / 0.40 / 0.40,
-/// ellipsoids 1.04 / 0.87 / 0.69 and 1.10 / 0.93 / 0.97; at most 1.15 (discs of 1538, 0.5 rad).
+/// 0.3 / 1 rad per step / any pose: spheres of 386 vertices 0.91 / 0.48 / 0.44, of 1538 0.55 / 0.39 / 0.39,
+/// ellipsoids 1.00 / 0.86 / 0.69 and 1.10 / 0.93 / 0.98; at most 1.15 (discs of 1538, 0.5 rad).
 inline constexpr int steps_before_climb = 24;
 
 template <class TableA, class TableB>

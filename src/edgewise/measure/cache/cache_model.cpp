@@ -95,15 +95,14 @@ CacheModel::CacheModel(CacheGeometry geometry)
 }
 
 std::size_t CacheModel::access_lines(std::uint64_t address, std::uint32_t bytes, AccessKind kind) {
-    const std::uint64_t end = address + bytes;
+    const std::uint64_t line_bytes = geometry_.line_bytes;
     std::size_t deepest = 0;
-    while (address < end) {
+    for (std::uint64_t left = bytes, here = 0; left > 0; left -= here, address += here) {
+        here = std::min(left, line_bytes - (address & (line_bytes - 1)));
         const std::uint64_t line = address >> line_shift_;
-        const std::uint64_t stop = std::min(end, (line + 1) << line_shift_);
-        const std::size_t depth = touch(line, used_bits(address, stop - address), kind != AccessKind::read);
+        const std::size_t depth = touch(line, used_bits(address, here), kind != AccessKind::read);
         if (geometry_.crossing == LineCrossing::split) count(depth);
         deepest = std::max(deepest, depth);
-        address = stop;
     }
     if (geometry_.crossing == LineCrossing::merge) count(deepest);
     return deepest;

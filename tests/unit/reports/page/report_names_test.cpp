@@ -103,7 +103,7 @@ TEST_F(Report, ShowsScenesOfAnyName) {
     }
     EXPECT_EQ(std::ranges::count_if(charts, [](const auto& name) { return name.starts_with("scene_"); }),
               static_cast<std::ptrdiff_t>(names.size()));
-    EXPECT_EQ(results.size(), names.size() + 4 + 2) << "a file each; studies of the report's tables; about/";
+    EXPECT_EQ(results.size(), names.size() + 6 + 2) << "a file each; studies; about/";
     for (const std::string& name : names) {
         const std::string label = name + " (bodies 100)";
         EXPECT_EQ(std::ranges::count(answer.shared, label, &SceneRanking::label), 1) << name;
