@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 #
 # Configures and builds a preset: build_preset.sh PRESET [TARGET...]
-# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("": all layouts); EDGEWISE_VARIANTS=OFF builds variants of
-# layouts for tests alone; EDGEWISE_FULL_TESTS=ON adds the tests that only tests/run full has; EDGEWISE_PEERS=ON adds
-# adapters of other libraries; EDGEWISE_PEER_FOLDERS: folders of libraries without a package.
+# Environment: EDGEWISE_LAYOUTS builds the named layouts only ("": all layouts); EDGEWISE_EVERY_LAYOUT=OFF: the program has
+# the table types of plan quick and for boxes, tests have the others; EDGEWISE_FULL_TESTS=ON adds the tests that only
+# tests/run full has; EDGEWISE_PEERS=ON adds adapters of other libraries; EDGEWISE_PEER_FOLDERS: folders of libraries without
+# a package.
 # Variables that are not set keep their last value. On a terminal the build shows each step; otherwise it prints a line
 # per minute. All output goes to stderr.
 set -eu
@@ -20,7 +21,7 @@ mkdir -p "$folder"
 echo "build: $preset"
 targets=$*
 set --
-for name in EDGEWISE_LAYOUTS EDGEWISE_VARIANTS EDGEWISE_FULL_TESTS EDGEWISE_PEERS EDGEWISE_PEER_FOLDERS; do
+for name in EDGEWISE_LAYOUTS EDGEWISE_EVERY_LAYOUT EDGEWISE_FULL_TESTS EDGEWISE_PEERS EDGEWISE_PEER_FOLDERS; do
     eval "[ -z \"\${$name+set}\" ] || set -- \"\$@\" \"-D$name=\$$name\""
 done
 if ! cmake -S "$root" --preset "$preset" "$@" >"$log" 2>&1; then

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 # The manifests have one line per layout (layouts/CMakeLists.txt), probe (probes/CMakeLists.txt) and study
-# (src/edgewise/studies/CMakeLists.txt). CMake generates a unit for each table type (those of one layout compile as one), so
+# (src/edgewise/studies/CMakeLists.txt). CMake generates a unit for each table type (some compile as one), so
 # that builds are parallel and no other file names a layout.
 
-# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER [IN_PROGRAM]] [NUMBER N] [SUPPORT_ONLY]): NAME is the file's stem, the
-# type and the command-line name; with a number, type and name end with it. A variant hardly differs from OTHER: plans leave
-# it out, except `full`, and without EDGEWISE_VARIANTS the program does too, unless plan `quick` or a command needs it
-# (IN_PROGRAM). SUPPORT_ONLY: a table for GJK alone.
+# edgewise_layout(NAME PRECISION... [VARIANT_OF OTHER] [NUMBER N] [SUPPORT_ONLY] [IN_PROGRAM PRECISION...]): NAME is the
+# file's stem, the type and the command-line name; with a number, type and name end with it. A variant hardly differs from
+# OTHER: plans leave it out, except `full`. SUPPORT_ONLY: a table for GJK alone. IN_PROGRAM: plan `quick` or a question about
+# boxes asks for it, so the program has it even without EDGEWISE_EVERY_LAYOUT.
 function(edgewise_layout LAYOUT)
-    cmake_parse_arguments(given "SUPPORT_ONLY;IN_PROGRAM" "VARIANT_OF;NUMBER" "" ${ARGN})
+    cmake_parse_arguments(given "SUPPORT_ONLY" "VARIANT_OF;NUMBER" "IN_PROGRAM" ${ARGN})
     set(LAYOUT_FILE ${LAYOUT}.hpp)
     string(APPEND LAYOUT "${given_NUMBER}")
     set_property(GLOBAL PROPERTY EDGEWISE_FILE_OF_${LAYOUT} ${LAYOUT_FILE})
@@ -30,7 +30,7 @@ function(edgewise_layout LAYOUT)
         endif()
         configure_file(${PROJECT_SOURCE_DIR}/cmake/table_type.cpp.in ${PROJECT_BINARY_DIR}/registry/${type}.cpp @ONLY)
         set_property(GLOBAL APPEND PROPERTY EDGEWISE_TABLE_TYPES ${type})
-        if(NOT VARIANT_OF OR given_IN_PROGRAM OR EDGEWISE_VARIANTS OR EDGEWISE_LAYOUTS)
+        if(PRECISION IN_LIST given_IN_PROGRAM OR EDGEWISE_EVERY_LAYOUT OR EDGEWISE_LAYOUTS)
             set_property(GLOBAL APPEND PROPERTY EDGEWISE_MEASURED_TYPES ${type})
         endif()
     endforeach()

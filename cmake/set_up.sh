@@ -13,8 +13,8 @@ nlohmann-json3-dev libcli11-dev libfmt-dev libtbb-dev libjemalloc-dev libpfm4-de
 # page, and nodejs to control it; schedulers for the parts of a campaign; packaging; the page of headers; a compiler cache;
 # other processors.
 wanted_by_tests='clang clang-format clang-tidy libclang-rt-14-dev libcgal-dev valgrind chromium nodejs sqlite3
-parallel slurmctld slurmd slurm-client dpkg-dev lintian doxygen python3 pkgconf ccache g++-aarch64-linux-gnu
-g++-riscv64-linux-gnu qemu-user'
+parallel slurmctld slurmd slurm-client dpkg-dev lintian doxygen python3 pkgconf ccache g++-aarch64-linux-gnu qemu-user'
+[ "${EDGEWISE_FULL_TESTS:-}" != ON ] || wanted_by_tests="$wanted_by_tests g++-riscv64-linux-gnu"
 # Other libraries to compare with Edgewise, if EDGEWISE_PEERS=ON is in the environment; and the tool that counts their work.
 wanted_by_peers='pkgconf libbullet-dev libfcl-dev libccd-dev valgrind'
 # Engines that `edgewise record` runs: all for tests and if EDGEWISE_ENGINES=ON is in the environment; for "bullet", Bullet.

@@ -216,7 +216,7 @@ TEST(Sweep, SaysHowToCompileALayoutThatTheProgramLacks) {
             Process(crooked_program_path, {"sweep", "--scenes", "cold", "--layouts", name}, folder).wait();
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(outcome.err, HasSubstr(std::string("'") + name + "' is not in this program: "));
-        EXPECT_THAT(outcome.err, HasSubstr("EDGEWISE_VARIANTS=ON"));
+        EXPECT_THAT(outcome.err, HasSubstr("EDGEWISE_EVERY_LAYOUT=ON"));
     }
 }
 

@@ -3,7 +3,7 @@
 // Table types that exact arithmetic does not check (CMakeLists.txt): each gives, to the bit, the answers of a
 // table type that it does check. The pairs are in every relation and at every gap of PairMaker, cold and
 // warm, of solids and of flat bodies. The query loops are the program's own, or of a layout that the program
-// leaves out (EDGEWISE_VARIANTS) those for tests.
+// leaves out (EDGEWISE_EVERY_LAYOUT) those for tests.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -70,7 +70,7 @@ std::vector<const TableType*> select_table_types(std::span<const std::string> na
     for (const std::string& name : names) {
         if (std::ranges::count(manifest_layouts(), name) > 0 && !is_built(name))
             throw std::invalid_argument(
-                fmt::format("'{}' is not in this program: EDGEWISE_LAYOUTS= EDGEWISE_VARIANTS=ON sh "
+                fmt::format("'{}' is not in this program: EDGEWISE_LAYOUTS= EDGEWISE_EVERY_LAYOUT=ON sh "
                             "cmake/build_preset.sh release edgewise_program compiles all layouts",
                             name));
     }
