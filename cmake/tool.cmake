@@ -197,7 +197,7 @@ edgewise_tool_for(edgewise_few_tool "${EDGEWISE_TUNE}" few_types)
 set(TYPES_HEADERS edgewise_few_tool_table_types)
 edgewise_tool_for(edgewise_tool "${EDGEWISE_TUNE}" table_types edgewise_few_tool)
 unset(TYPES_HEADERS)
-# Tests ask every table type. Those that the program leaves out are compiled in a quarter of the time, because they are not
+# Tests ask every table type. Those that the program leaves out are compiled in a third of the time, because they are not
 # timed: hardly optimised, and six in a unit, of which each takes four seconds for what they have in common.
 if(EDGEWISE_TESTS)
     edgewise_tool_for(edgewise_all_tool "${EDGEWISE_TUNE}" all_types edgewise_tool)
